@@ -152,6 +152,7 @@ class BeamChain {
     ChainPing ping_;
     Lean::Means means_;             ///< after the pulse
     std::size_t next_mean_ = none;  ///< beam of the next of them
+    std::vector<Lean::Stretch> stretches_;
     std::vector<float> own_means_;  ///< of a beam that knows none beside it
     std::vector<float> textured_;
     std::array<Fields, kinds> fields_;

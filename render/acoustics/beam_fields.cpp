@@ -11,7 +11,8 @@
 namespace echoloop {
 namespace {
 
-constexpr std::size_t part_size = 128;  ///< bins that lean together
+constexpr std::size_t part_size = 128;  ///< bins that are looked at together
+
 }  // namespace
 
 /// Neighbouring beams share cells: the last ones are kept.
@@ -155,18 +156,22 @@ void BeamChain::hear_leaning(double place, Part part) {
 }
 
 const float* BeamChain::speckle_of(std::size_t beam, double place) {
-    const std::size_t size = plan_->leans() ? part_size : plan_->bins;
-    const auto least = static_cast<float>(plan_->noise_power / 10);  // an echo below is not heard
-    places_.resize(size), energies_.resize(size);
     beside_.fill(nullptr);
     const HeardCells on_axis = cells_at(speckle, place);
-    for (std::size_t first = 0; first < plan_->bins; first += size) {
-        const Part part{first, std::min(size, plan_->bins - first)};
-        if (plan_->leans() &&
-            plan_->lean.find(beam, means_, least, first, std::span(places_.data(), part.count)))
-            hear_leaning(place, part);
-        else
-            hear(speckle, on_axis, part);
+    if (!plan_->leans()) {
+        hear(speckle, on_axis, {0, plan_->bins});
+        return fields_[speckle].heard.data();
+    }
+    const auto least = static_cast<float>(plan_->noise_power / 10);  // an echo below is not heard
+    places_.resize(part_size), energies_.resize(part_size);
+    plan_->lean.cut(beam, means_, least, plan_->bins, part_size, stretches_);
+    for (const auto& [first, count, leans] : stretches_) {
+        if (leans) {
+            plan_->lean.find(beam, means_, first, std::span(places_.data(), count));
+            hear_leaning(place, {first, count});
+        } else {
+            hear(speckle, on_axis, {first, count});
+        }
     }
     return fields_[speckle].heard.data();
 }

@@ -42,21 +42,36 @@ std::pair<std::size_t, std::size_t> Lean::lean_on(std::size_t beam) const {
     return {first, first + 2};
 }
 
-bool Lean::find(std::size_t beam, const Means& means, float least, std::size_t first,
-                std::span<float> out) const {
+void Lean::cut(std::size_t beam, const Means& means, float least, std::size_t bins, std::size_t most,
+               std::vector<Stretch>& out) const {
+    constexpr std::size_t block = kernels::lean_block;
+    const std::size_t blocks = (bins + block - 1) / block;
+    constexpr std::size_t at_once = 128;  // blocks
+    out.clear();
+    bool differs[at_once];
+    for (std::size_t begin = 0; begin < blocks; begin += at_once) {
+        const std::size_t those = std::min(at_once, blocks - begin), first = begin * block;
+        std::fill_n(differs, those, false);
+        for (const Term& term : beams_[beam].terms)
+            if (term.scale != 0)
+                kernels::differ(means.of(term.over).data() + first, means.of(term.under).data() + first,
+                                term.worth, least, std::min(those * block, bins - first), differs);
+        for (std::size_t k = 0; k < those; ++k) {
+            const std::size_t at = first + k * block, count = std::min(block, bins - at);
+            const bool joins = !out.empty() && out.back().leans == differs[k] &&
+                               (!differs[k] || out.back().count + count <= most);
+            joins ? void(out.back().count += count) : out.push_back({at, count, differs[k]});
+        }
+    }
+}
+
+void Lean::find(std::size_t beam, const Means& means, std::size_t first, std::span<float> out) const {
     const auto levels = [&](std::size_t n) { return means.of(n).data() + first; };
-    const auto& terms = beams_[beam].terms;
-    bool matters = false;
-    for (const Term& term : terms)
-        matters = matters || (term.scale != 0 && kernels::differ(levels(term.over), levels(term.under),
-                                                                 term.worth, least, out.size()));
-    if (!matters) return false;
     std::fill(out.begin(), out.end(), 0.0F);
-    for (const Term& term : terms)
+    for (const Term& term : beams_[beam].terms)
         if (term.scale != 0)
             kernels::add_log_ratio(term.scale, levels(term.over), levels(term.under), out.size(), out.data());
     kernels::limit(most_, out.size(), out.data());
-    return true;
 }
 
 }  // namespace echoloop

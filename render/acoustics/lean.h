@@ -31,12 +31,19 @@ class Lean {
 
     /// False where beams are too few or too far apart to hear the same.
     bool any() const { return !beams_.empty(); }
+    /// Bins in a stretch, of which all lean or none: a block of kernels::lean_block, or a few of them.
+    struct Stretch {
+        std::size_t first, count;
+        bool leans;
+    };
+    /// All `bins` of a beam, cut into stretches of no more than `most` that lean, and those between them.
+    /// None leans whose echo comes from so near to the beam's axis that it makes no difference. `means`: of
+    /// the beams that lean_on() names at least; differences below `least` uPa^2 say nothing.
+    void cut(std::size_t beam, const Means& means, float least, std::size_t bins, std::size_t most,
+             std::vector<Stretch>& out) const;
     /// Writes to `out` how many cells beside its axis, clockwise positive, beam `beam` hears the bins [first,
-    /// first + out.size()); never more than `most_widths`. `means`: of those that lean_on() names at least;
-    /// differences below `least` uPa^2 say nothing. False, with nothing written, where all of them come from
-    /// so near to its axis that it makes no difference.
-    bool find(std::size_t beam, const Means& means, float least, std::size_t first,
-              std::span<float> out) const;
+    /// first + out.size()); never more than `most_widths`. `means` as above.
+    void find(std::size_t beam, const Means& means, std::size_t first, std::span<float> out) const;
     /// The first and the last of the beams whose mean powers tell of that one, itself among them: three.
     std::pair<std::size_t, std::size_t> lean_on(std::size_t beam) const;
 

@@ -11,11 +11,24 @@
 
 namespace echoloop::kernels {
 
-ECHOLOOP_SIMD bool differ(const float* a, const float* b, float ratio, float least, std::size_t count) {
+namespace {
+
+ECHOLOOP_INLINE bool differ_in(const float* a, const float* b, float ratio, float least, std::size_t count) {
     int more = 0;
     for (std::size_t i = 0; i < count; ++i)
         more |= static_cast<int>(a[i] > ratio * b[i] + least) | static_cast<int>(b[i] > ratio * a[i] + least);
     return more != 0;
+}
+
+}  // namespace
+
+ECHOLOOP_SIMD void differ(const float* a, const float* b, float ratio, float least, std::size_t count,
+                          bool* differs) {
+    const std::size_t whole = count / lean_block;
+    for (std::size_t k = 0; k < whole; ++k)
+        differs[k] |= differ_in(a + k * lean_block, b + k * lean_block, ratio, least, lean_block);
+    if (const std::size_t first = whole * lean_block; first < count)
+        differs[whole] |= differ_in(a + first, b + first, ratio, least, count - first);
 }
 
 namespace {

@@ -17,8 +17,12 @@ struct CellFields {
     float middle;
 };
 
-/// Whether one of two powers is anywhere more than `ratio` times the other and `least`.
-bool differ(const float* a, const float* b, float ratio, float least, std::size_t count);
+/// Bins that lean together, or are heard on the beam's axis.
+constexpr std::size_t lean_block = 32;
+
+/// Sets those of `differs` to true, one for each block of bins, where one of two powers is anywhere more than
+/// `ratio` times the other and `least`.
+void differ(const float* a, const float* b, float ratio, float least, std::size_t count, bool* differs);
 /// out += scale ln(a / b), |error| < 1e-4 scale; powers below 1e-12 uPa^2 count as that.
 void add_log_ratio(float scale, const float* a, const float* b, std::size_t count, float* out);
 /// Brings what is beyond +-most back to it, and what is no number to -most.

@@ -208,10 +208,42 @@ TEST(Lean, FindsTheDirectionUpToAWidthAndAHalf) {
         Lean::Means means;
         for (std::size_t beam = 29; beam <= 31; ++beam)
             means.of(beam).assign(&one[beam * shot.bins], &one[(beam + 1) * shot.bins]);
-        ASSERT_TRUE(Lean(shot, cell).find(30, means, 0, 0, cells));
+        const Lean lean(shot, cell);
+        lean.find(30, means, 0, cells);
         for (const float at : cells) EXPECT_NEAR(at, std::clamp(2 * widths, -3.0, 3.0), 0.01);
-        EXPECT_FALSE(Lean(shot, cell).find(30, means, 2, 0, cells)) << "all of it below what is heard";
+        std::vector<Lean::Stretch> stretches;
+        lean.cut(30, means, 0, 16, 128, stretches);
+        ASSERT_EQ(stretches.size(), 1);
+        EXPECT_TRUE(stretches[0].leans);
+        lean.cut(30, means, 2, 16, 128, stretches);
+        ASSERT_EQ(stretches.size(), 1);
+        EXPECT_FALSE(stretches[0].leans) << "all of it below what is heard";
     }
+}
+
+TEST(Lean, CutsABeamIntoStretchesThatLeanAndThoseBetweenThem) {
+    constexpr std::size_t bins = 4310, most = 128;
+    const Shot shot = overlapping(3, bins, 0.1);
+    Lean::Means means;
+    for (std::size_t beam = 0; beam < 3; ++beam) means.of(beam).assign(bins, 1.0F);
+    const auto leans = [](std::size_t bin) {
+        return bin == 70 || (200 <= bin && bin < 500) || (4090 <= bin && bin < 4100) || bin == bins - 1;
+    };
+    for (std::size_t bin = 0; bin < bins; ++bin)
+        if (leans(bin)) means.of(bin % 2 == 0 ? 0 : 2)[bin] = 9;  // to the left and to the right
+    std::vector<Lean::Stretch> stretches;
+    Lean(shot, shot.beam_width / 2).cut(1, means, 0, bins, most, stretches);
+    std::size_t next = 0;
+    for (const auto& [first, count, leaning] : stretches) {
+        ASSERT_EQ(first, next) << "one behind the other";
+        next += count;
+        std::size_t own = 0;
+        for (std::size_t bin = first; bin < next; ++bin) own += leans(bin) ? 1 : 0;
+        EXPECT_EQ(leaning, own > 0) << "bins " << first << " to " << next;
+        EXPECT_TRUE(!leaning || count <= most) << "bins " << first << " to " << next;
+    }
+    EXPECT_EQ(next, bins);
+    EXPECT_EQ(stretches.size(), 10);  // four parts lean, of which one is cut into three
 }
 
 }  // namespace
