@@ -142,18 +142,23 @@ void BeamChain::run(std::size_t beam, std::span<const PointEcho> points, const B
     kernels::receive(plan.power_limit, values.size(), values.data());
 }
 
-/// `fresh`: what has the noise's numbers; a step of it has one power.
+/// `fresh`: what has the noise's numbers.
 void BeamChain::scatter_with_noise(std::span<const float> means, const float* echo, const float* of_noise,
-                                   const FreshPower& fresh, std::span<float> values) const {
+                                   const FreshPower& fresh, std::span<float> values) {
     const ChainPlan& plan = *plan_;
-    const auto noise_power = static_cast<float>(plan.noise_power), gain = static_cast<float>(plan.power_gain);
-    const std::size_t step = fresh.steps.empty() ? plan.bins : fresh.bins_per_step;
-    for (std::size_t first = 0, k = 0; first < plan.bins; first += step, ++k) {
-        const float of_step = fresh.steps.empty() ? 0 : gain * fresh.steps[k];
-        kernels::scatter({echo + first, plan.echo.law.root.data()},
-                         {of_noise + first, plan.noise.law.root.data()}, {noise_power, of_step},
-                         std::min(step, plan.bins - first), &means[first], &values[first]);
-    }
+    spread_steps(fresh);
+    kernels::scatter({echo, plan.echo.law.root.data()}, {of_noise, plan.noise.law.root.data()},
+                     {static_cast<float>(plan.noise_power), fresh_.data()}, plan.bins, means.data(),
+                     values.data());
+}
+
+/// Into fresh_, after the pulse: a step has one power.
+void BeamChain::spread_steps(const FreshPower& fresh) {
+    fresh_.assign(plan_->bins, 0.0F);
+    for (std::size_t k = 0, first = 0; k < fresh.steps.size() && first < plan_->bins;
+         ++k, first += fresh.bins_per_step)
+        std::fill_n(&fresh_[first], std::min(fresh.bins_per_step, plan_->bins - first),
+                    static_cast<float>(plan_->power_gain) * fresh.steps[k]);
 }
 
 void BeamChain::spread(std::span<const float> values, std::span<float> means) {

@@ -136,7 +136,8 @@ class BeamChain {
     void spread(std::span<const float> values, std::span<float> means);
     void find_means(std::size_t beam, const Before& before);
     void scatter_with_noise(std::span<const float> means, const float* echo, const float* of_noise,
-                            const FreshPower& fresh, std::span<float> values) const;
+                            const FreshPower& fresh, std::span<float> values);
+    void spread_steps(const FreshPower& fresh);
     void renew_speckle(std::size_t beam, const FreshPower& fresh, std::span<const float> means);
     const float* noise_of(std::size_t beam);
     void steady_in_noise(std::size_t beam, std::span<float> values);

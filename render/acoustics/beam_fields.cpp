@@ -180,10 +180,7 @@ const float* BeamChain::speckle_of(std::size_t beam, double place) {
 /// it is heard right before the array only.
 void BeamChain::renew_speckle(std::size_t beam, const FreshPower& fresh, std::span<const float> means) {
     constexpr float least = 0.05F;  // of all power; what is less is not seen to stay
-    fresh_.resize(fresh.steps.size() * fresh.bins_per_step);
-    for (std::size_t k = 0; k < fresh.steps.size(); ++k)
-        std::fill_n(&fresh_[k * fresh.bins_per_step], fresh.bins_per_step,
-                    static_cast<float>(plan_->power_gain) * fresh.steps[k]);
+    spread_steps(fresh);
     std::optional<HeardCells> cells;
     for (std::size_t first = 0; first < plan_->bins; first += part_size) {
         const std::size_t count = std::min(part_size, plan_->bins - first);

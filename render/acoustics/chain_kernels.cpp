@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "render/simd.h"
 
@@ -34,66 +35,120 @@ ECHOLOOP_INLINE void sum_of(const float* const* fields, const float* weights, st
 
 namespace {
 
-/// z of echo and noise together, see scatter(); and what of the mean power is echo.
-struct Together {
-    float whole, share, z;
+constexpr std::size_t bins_at_once = 256;  // a whole number of tiles of any vectors
+
+/// Of so many bins, and whole tiles behind them: normal variables, which become what the law makes of them,
+/// and the echo's shares in the mean power.
+struct Tile {
+    float z[bins_at_once], share[bins_at_once];
 };
 
-ECHOLOOP_INLINE Together together(float mean, NoisePowers noise_powers, float echo, float noise) {
-    const float whole = mean + noise_powers.beside,
-                share = std::max(mean - noise_powers.within, 0.0F) / (whole + smallest);
-    const float rest = std::sqrt(std::max(1 - share * share, 0.0F));
-    const float z = share * echo + rest * noise;
-    return {whole, share, std::min(std::max(z, -law_end), law_end)};
-}
-
-/// Echo and noise have one law.
-ECHOLOOP_SIMD void scatter_alike(const float* law, const float* __restrict echo,
-                                 const float* __restrict noise, NoisePowers noise_powers, std::size_t count,
-                                 const float* __restrict mean, float* __restrict power) {
-    float terms_of[law_terms];
-    for (int k = 0; k < law_terms; ++k) terms_of[k] = law[k];
-    for (std::size_t i = 0; i < count; ++i) {
-        const Together both = together(mean[i], noise_powers, echo[i], noise[i]);
-        float root = terms_of[law_terms - 1];
+/// Cube roots by the law: a polynomial in z, whose coefficients are those of `base` and, `between` two laws,
+/// as much of `more` as the share says. Of four vectors in turns: each step of one waits for the step before,
+/// and a processor does not look so far ahead that it finds the next bins by itself.
+template <class Vector, bool between>
+ECHOLOOP_INLINE void find_roots_of(const float* base, const float* more, Tile& tile, std::size_t count) {
+    constexpr std::size_t across = 4, lanes = sizeof(Vector) / sizeof(float);
+    static_assert(bins_at_once % (across * lanes) == 0);
+    for (std::size_t at = 0; at < count; at += across * lanes) {
+        Vector z[across], root[across], share[across] = {};
+#pragma GCC unroll 4
+        for (std::size_t i = 0; i < across; ++i) {
+            std::memcpy(&z[i], tile.z + at + i * lanes, sizeof z[i]);
+            if constexpr (between) std::memcpy(&share[i], tile.share + at + i * lanes, sizeof share[i]);
+            root[i] = Vector{} + base[law_terms - 1];
+            if constexpr (between) root[i] += share[i] * more[law_terms - 1];
+        }
 #pragma GCC unroll 8
-        for (int k = law_terms - 2; k >= 0; --k) root = root * both.z + terms_of[k];
-        power[i] = both.whole * cube(std::max(root, 0.0F));
+        for (int k = law_terms - 2; k >= 0; --k) {
+#pragma GCC unroll 4
+            for (std::size_t i = 0; i < across; ++i) {
+                Vector term = Vector{} + base[k];
+                if constexpr (between) term += share[i] * more[k];
+                root[i] = root[i] * z[i] + term;
+            }
+        }
+#pragma GCC unroll 4
+        for (std::size_t i = 0; i < across; ++i)
+            std::memcpy(tile.z + at + i * lanes, &root[i], sizeof root[i]);
     }
 }
 
-ECHOLOOP_SIMD void scatter_between(Normals echo, Normals noise, NoisePowers noise_powers, std::size_t count,
-                                   const float* __restrict mean, float* __restrict power) {
-    float base[law_terms], more[law_terms];
-    for (int k = 0; k < law_terms; ++k) base[k] = noise.root[k], more[k] = echo.root[k] - noise.root[k];
+template <class Vector>
+ECHOLOOP_INLINE void find_roots_by(const float* base, const float* more, Tile& tile, std::size_t count) {
+    more == nullptr ? find_roots_of<Vector, false>(base, more, tile, count)
+                    : find_roots_of<Vector, true>(base, more, tile, count);
+}
+
+#ifdef ECHOLOOP_SIMD_VERSIONS
+__attribute__((target("arch=x86-64-v4"))) void find_roots(const float* base, const float* more, Tile& tile,
+                                                          std::size_t count) {
+    find_roots_by<Sixteen>(base, more, tile, count);
+}
+
+__attribute__((target("arch=x86-64-v3"))) void find_roots(const float* base, const float* more, Tile& tile,
+                                                          std::size_t count) {
+    find_roots_by<Eight>(base, more, tile, count);
+}
+
+__attribute__((target("default")))
+#endif
+void
+find_roots(const float* base, const float* more, Tile& tile, std::size_t count) {
+    find_roots_by<Four>(base, more, tile, count);
+}
+
+/// Shares, and the z of echo and noise together: see scatter().
+ECHOLOOP_SIMD void mix(const float* __restrict echo, const float* __restrict noise, float beside,
+                       const float* __restrict within, const float* __restrict mean, std::size_t count,
+                       float* __restrict z, float* __restrict shares) {
     for (std::size_t i = 0; i < count; ++i) {
-        const Together both = together(mean[i], noise_powers, echo.z[i], noise.z[i]);
-        float root = base[law_terms - 1] + both.share * more[law_terms - 1];
-#pragma GCC unroll 8
-        for (int k = law_terms - 2; k >= 0; --k) root = root * both.z + (base[k] + both.share * more[k]);
-        power[i] = both.whole * cube(std::max(root, 0.0F));
+        const float whole = mean[i] + beside,
+                    share = std::max(mean[i] - within[i], 0.0F) / (whole + smallest);
+        const float rest = std::sqrt(std::max(1 - share * share, 0.0F));
+        const float both = share * echo[i] + rest * noise[i];
+        z[i] = std::min(std::max(both, -law_end), law_end), shares[i] = share;
     }
+}
+
+ECHOLOOP_SIMD void cut_off(const float* __restrict z, std::size_t count, float* __restrict out) {
+    for (std::size_t i = 0; i < count; ++i) out[i] = std::min(std::max(z[i], -law_end), law_end);
+}
+
+ECHOLOOP_SIMD void cube_times(const float* __restrict root, const float* __restrict mean, float beside,
+                              std::size_t count, float* __restrict power) {
+    for (std::size_t i = 0; i < count; ++i) power[i] = (mean[i] + beside) * cube(std::max(root[i], 0.0F));
+}
+
+ECHOLOOP_SIMD void multiply_by_cube(const float* __restrict root, std::size_t count,
+                                    float* __restrict power) {
+    for (std::size_t i = 0; i < count; ++i) power[i] *= cube(std::max(root[i], 0.0F));
 }
 
 }  // namespace
 
 void scatter(Normals echo, Normals noise, NoisePowers noise_powers, std::size_t count, const float* mean,
              float* power) {
-    if (std::equal(echo.root, echo.root + law_terms, noise.root))
-        scatter_alike(echo.root, echo.z, noise.z, noise_powers, count, mean, power);
-    else
-        scatter_between(echo, noise, noise_powers, count, mean, power);
+    float more[law_terms];
+    for (int k = 0; k < law_terms; ++k) more[k] = echo.root[k] - noise.root[k];
+    const bool alike = std::equal(echo.root, echo.root + law_terms, noise.root);
+    Tile tile{};
+    for (std::size_t at = 0; at < count; at += bins_at_once) {
+        const std::size_t these = std::min(bins_at_once, count - at);
+        mix(echo.z + at, noise.z + at, noise_powers.beside, noise_powers.within + at, mean + at, these,
+            tile.z, tile.share);
+        find_roots(noise.root, alike ? nullptr : more, tile, these);
+        cube_times(tile.z, mean + at, noise_powers.beside, these, power + at);
+    }
 }
 
-ECHOLOOP_SIMD void multiply_by_law(const float* law, const float* z, std::size_t count, float* power) {
-    float terms_of[law_terms];
-    for (int k = 0; k < law_terms; ++k) terms_of[k] = law[k];
-    for (std::size_t i = 0; i < count; ++i) {
-        const float x = std::min(std::max(z[i], -law_end), law_end);
-        float root = terms_of[law_terms - 1];
-#pragma GCC unroll 8
-        for (int k = law_terms - 2; k >= 0; --k) root = root * x + terms_of[k];
-        power[i] *= cube(std::max(root, 0.0F));
+void multiply_by_law(const float* root, const float* z, std::size_t count, float* power) {
+    Tile tile{};
+    for (std::size_t at = 0; at < count; at += bins_at_once) {
+        const std::size_t these = std::min(bins_at_once, count - at);
+        cut_off(z + at, these, tile.z);
+        find_roots(root, nullptr, tile, these);
+        multiply_by_cube(tile.z, these, power + at);
     }
 }
 

@@ -12,10 +12,11 @@ struct Normals {
     const float* root;
 };
 
-/// Mean powers, uPa^2, whose normal variables are the noise's: that beside the echo, and that of what is in
-/// the echo's.
+/// Mean powers, uPa^2, whose normal variables are the noise's: that beside the echo, and in each bin that of
+/// what is in the echo's.
 struct NoisePowers {
-    float beside, within;
+    float beside;
+    const float* within;
 };
 
 /// Speckle and noise are one field: mean powers become intensities. With the share s of the echo in the whole
