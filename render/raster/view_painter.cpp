@@ -23,38 +23,50 @@ Four normal_and_surface(const SceneVertex& vertex) {
     return four(reinterpret_cast<const float*>(&vertex) + 3);
 }
 
-/// Of what may be seen of a node, puts each where it is nearer than what is there. `numbers` of each, as
-/// ViewPainter::Shown begins, lie `step` floats apart; `clear`: with `shadows` a fifth plane, which is not
-/// negative where they are not, and whose numbers lie `count` apart.
-template <bool shadows>
-ECHOLOOP_INLINE void cover_each(const SeenTriangle* __restrict seen, int count,
-                                const float* __restrict numbers, std::size_t step,
-                                const float* __restrict clear, const float* __restrict x_of,
-                                const float* __restrict y_of, float* __restrict inverse,
-                                std::int32_t* __restrict number, std::size_t line_stride,
-                                std::int32_t first_number) {
+/// What may be seen of a node, and where it goes. `numbers` of each triangle, as ViewPainter::Shown begins,
+/// lie `step` floats apart. `clear`: a fifth plane, which is not negative where there is no shadow, and whose
+/// numbers lie a padded `count` apart; null: all is lit.
+struct Cover {
+    const SeenTriangle* seen;
+    int count;
+    const float* numbers;
+    std::size_t step;
+    const float* clear;
+    const float *x_of, *y_of;
+    float* inverse;
+    std::int32_t* number;
+    std::size_t line_stride;
+    std::int32_t first_number;
+};
+
+/// Puts each where it is nearer than what is there. `at_once`: samples of a vector; most triangles cover no
+/// more.
+template <bool shadows, int at_once>
+ECHOLOOP_INLINE void cover_each(const Cover all) {
+    static_assert(at_once <= samples_at_once);
     constexpr float most = 1 / near_end;
-    const std::size_t row = padded(static_cast<std::size_t>(count));
-    const float *const clear_up = clear + row, *const clear_at_0 = clear_up + row;
-    for (int i = 0; i < count; ++i) {
-        const SeenTriangle triangle = seen[i];
-        const float* p = numbers + static_cast<std::size_t>(i) * step;
+    const std::size_t row = padded(static_cast<std::size_t>(all.count));
+    const float *const clear_up = shadows ? all.clear + row : nullptr, *const clear_at_0 =
+                                                                           shadows ? clear_up + row : nullptr;
+    for (int i = 0; i < all.count; ++i) {
+        const SeenTriangle triangle = all.seen[i];
+        const float* p = all.numbers + static_cast<std::size_t>(i) * all.step;
         const Four along_x = four(p), at_0 = four(p + 8);
         const float a_up = p[4], b_up = p[5], c_up = p[6], d_up = p[7];
         const float e_up = shadows ? clear_up[i] : 0;
-        const std::int32_t own = first_number + i;
-        const int samples =
-            (triangle.last_sample - triangle.first_sample + samples_at_once) & -samples_at_once;
-        const float* __restrict const y = y_of + triangle.first_sample;
+        const std::int32_t own = all.first_number + i;
+        const int samples = (triangle.last_sample - triangle.first_sample + at_once) & -at_once;
+        const float* __restrict const y = all.y_of + triangle.first_sample;
         for (int line = triangle.first_line; line <= triangle.last_line; ++line) {
-            const float x = x_of[line];
+            const float x = all.x_of[line];
             const Four across = along_x * x + at_0;
             const float a = across[0], b = across[1], c = across[2], d = across[3],
-                        e = shadows ? clear[i] * x + clear_at_0[i] : 0;
-            const std::size_t at = static_cast<std::size_t>(line) * line_stride +
+                        e = shadows ? all.clear[i] * x + clear_at_0[i] : 0;
+            const std::size_t at = static_cast<std::size_t>(line) * all.line_stride +
                                    static_cast<std::size_t>(triangle.first_sample);
-            float* __restrict const depth = inverse + at;
-            std::int32_t* __restrict const named = number + at;
+            float* __restrict const depth = all.inverse + at;
+            std::int32_t* __restrict const named = all.number + at;
+#pragma GCC ivdep
             for (int k = 0; k < samples; ++k) {
                 float inside = std::min(std::min(a + a_up * y[k], b + b_up * y[k]), c + c_up * y[k]);
                 if (shadows) inside = std::min(inside, e + e_up * y[k]);
@@ -67,22 +79,19 @@ ECHOLOOP_INLINE void cover_each(const SeenTriangle* __restrict seen, int count,
     }
 }
 
-ECHOLOOP_SIMD
-void cover_lit(const SeenTriangle* __restrict seen, int count, const float* __restrict numbers,
-               std::size_t step, const float* __restrict clear, const float* __restrict x_of,
-               const float* __restrict y_of, float* __restrict inverse, std::int32_t* __restrict number,
-               std::size_t line_stride, std::int32_t first_number) {
-    cover_each<false>(seen, count, numbers, step, clear, x_of, y_of, inverse, number, line_stride,
-                      first_number);
+template <int at_once>
+ECHOLOOP_INLINE void cover_by(const Cover& all) {
+    all.clear != nullptr ? cover_each<true, at_once>(all) : cover_each<false, at_once>(all);
 }
 
-ECHOLOOP_SIMD
-void cover_but_shadows(const SeenTriangle* __restrict seen, int count, const float* __restrict numbers,
-                       std::size_t step, const float* __restrict clear, const float* __restrict x_of,
-                       const float* __restrict y_of, float* __restrict inverse,
-                       std::int32_t* __restrict number, std::size_t line_stride, std::int32_t first_number) {
-    cover_each<true>(seen, count, numbers, step, clear, x_of, y_of, inverse, number, line_stride,
-                     first_number);
+#ifdef ECHOLOOP_SIMD_VERSIONS
+__attribute__((target("arch=x86-64-v4"))) void cover(const Cover& all) { cover_by<16>(all); }
+__attribute__((target("arch=x86-64-v3"))) void cover(const Cover& all) { cover_by<8>(all); }
+__attribute__((target("default")))
+#endif
+void
+cover(const Cover& all) {
+    cover_by<8>(all);
 }
 
 std::span<const SceneVertex> vertices_of(const Scene& scene, const SceneNode& node) {
@@ -161,10 +170,9 @@ void ViewPainter::paint_triangles(std::span<const SceneVertex> vertices, const P
     add_shown(vertices, painting.rays != nullptr);
     const bool shadow = painting.rays != nullptr && painting.rays->has_shadow();
     if (shadow) triangles_.find_clear(corners_.clearance());
-    const auto cover = shadow ? cover_but_shadows : cover_lit;
-    cover(seen.data(), static_cast<int>(seen.size()), shown_[first].numbers.data(),
-          sizeof(Shown) / sizeof(float), triangles_.planes(TrianglePlanes::clear), x_.data(), y_.data(),
-          inverse_.data(), number_.data(), stride_, static_cast<std::int32_t>(first));
+    cover({seen.data(), static_cast<int>(seen.size()), shown_[first].numbers.data(),
+           sizeof(Shown) / sizeof(float), shadow ? triangles_.planes(TrianglePlanes::clear) : nullptr,
+           x_.data(), y_.data(), inverse_.data(), number_.data(), stride_, static_cast<std::int32_t>(first)});
 }
 
 void ViewPainter::add_shown(std::span<const SceneVertex> vertices, bool bent) {
