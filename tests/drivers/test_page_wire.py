@@ -50,6 +50,7 @@ class Wire(PageCase):
         self.ping(angle=7)
         row = self.rows(page, "Transducer").first
         row.wait_for()
+        page.locator("#settings tbody tr").first.wait_for()  # above the wire, which it moves down by a row
         row.click()
         table = page.locator("#wire table")
         table.wait_for()
