@@ -37,8 +37,8 @@ namespace {
 
 constexpr std::size_t bins_at_once = 256;  // a whole number of tiles of any vectors
 
-/// Of so many bins, and whole tiles behind them: normal variables, which become what the law makes of them,
-/// and the echo's shares in the mean power.
+/// Of so many bins normal variables, which become roots by the law, and the echo's shares in the mean power.
+/// Whole vectors of them are worked out, so what lies behind the last bin at hand is a number, too.
 struct Tile {
     float z[bins_at_once], share[bins_at_once];
 };
@@ -99,9 +99,9 @@ find_roots(const float* base, const float* more, Tile& tile, std::size_t count) 
 }
 
 /// Shares, and the z of echo and noise together: see scatter().
-ECHOLOOP_SIMD void mix(const float* __restrict echo, const float* __restrict noise, float beside,
-                       const float* __restrict within, const float* __restrict mean, std::size_t count,
-                       float* __restrict z, float* __restrict shares) {
+ECHOLOOP_SIMD void mix_fields(const float* __restrict echo, const float* __restrict noise, float beside,
+                              const float* __restrict within, const float* __restrict mean, std::size_t count,
+                              float* __restrict z, float* __restrict shares) {
     for (std::size_t i = 0; i < count; ++i) {
         const float whole = mean[i] + beside,
                     share = std::max(mean[i] - within[i], 0.0F) / (whole + smallest);
@@ -135,8 +135,8 @@ void scatter(Normals echo, Normals noise, NoisePowers noise_powers, std::size_t 
     Tile tile{};
     for (std::size_t at = 0; at < count; at += bins_at_once) {
         const std::size_t these = std::min(bins_at_once, count - at);
-        mix(echo.z + at, noise.z + at, noise_powers.beside, noise_powers.within + at, mean + at, these,
-            tile.z, tile.share);
+        mix_fields(echo.z + at, noise.z + at, noise_powers.beside, noise_powers.within + at, mean + at, these,
+                   tile.z, tile.share);
         find_roots(noise.root, alike ? nullptr : more, tile, these);
         cube_times(tile.z, mean + at, noise_powers.beside, these, power + at);
     }

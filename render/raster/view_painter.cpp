@@ -46,8 +46,8 @@ ECHOLOOP_INLINE void cover_each(const Cover all) {
     static_assert(at_once <= samples_at_once);
     constexpr float most = 1 / near_end;
     const std::size_t row = padded(static_cast<std::size_t>(all.count));
-    const float *const clear_up = shadows ? all.clear + row : nullptr, *const clear_at_0 =
-                                                                           shadows ? clear_up + row : nullptr;
+    const float* const clear_up = shadows ? all.clear + row : nullptr;
+    const float* const clear_at_0 = shadows ? clear_up + row : nullptr;
     for (int i = 0; i < all.count; ++i) {
         const SeenTriangle triangle = all.seen[i];
         const float* p = all.numbers + static_cast<std::size_t>(i) * all.step;
