@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "render/acoustics/chain.h"
+#include "render/acoustics/short_taps.h"
 #include "render/acoustics/sinc.h"
 
 namespace echoloop {
@@ -68,26 +69,6 @@ std::vector<float> unit_energy(const std::vector<double>& taps) {
     return out;
 }
 
-/// Symmetrical taps whose correlation is that: the transform of the root of its spectrum.
-std::vector<float> taps_of(const std::vector<double>& correlation) {
-    const int steps = 64 * static_cast<int>(correlation.size()),
-              reach = 2 * static_cast<int>(correlation.size());
-    std::vector<double> half(static_cast<std::size_t>(reach) + 1, 0.0);
-    for (int i = 0; i < steps; ++i) {
-        const double phase = std::numbers::pi * (i + 0.5) / steps;
-        double power = 1;
-        for (std::size_t lag = 1; lag < correlation.size(); ++lag)
-            power += 2 * correlation[lag] * std::cos(phase * static_cast<double>(lag));
-        const double root = std::sqrt(std::max(power, 0.0)) / steps;
-        for (int tap = 0; tap <= reach; ++tap)
-            half[static_cast<std::size_t>(tap)] += root * std::cos(phase * tap);
-    }
-    while (half.size() > 1 && std::abs(half.back()) < 0.02 * half.front()) half.pop_back();
-    std::vector<double> taps(half.rbegin(), half.rend());
-    taps.insert(taps.end(), half.begin() + 1, half.end());
-    return unit_energy(taps);
-}
-
 LineFilter unit_box(double length) {
     const double whole = std::floor(length), rest = length - whole;
     const auto scale = static_cast<float>(1 / std::sqrt(whole + rest * rest));
@@ -125,8 +106,8 @@ LineFilter bin_filter(const RangeCorrelation& correlation, BinRule rule, double 
     if (over.size() > most_lags + 1)
         return unit_box(std::min(quarter(correlation, bin_length) * 4 / 3 / bin_length, longest_box));
     for (double& value : over) value = normal_correlation(value, looks);
-    if (std::all_of(over.begin() + 1, over.end(), [](double c) { return c < nothing; })) return {};
-    return {0, taps_of(over)};
+    const std::vector<double> taps = short_taps(over);
+    return taps.size() > 1 ? LineFilter(0, unit_energy(taps)) : LineFilter();
 }
 
 LineFilter tuned_filter(double bandwidth, double sound_speed, double bin_length) {
