@@ -154,11 +154,14 @@ void BeamChain::scatter_with_noise(std::span<const float> means, const float* ec
 
 /// Into fresh_, after the pulse: a step has one power.
 void BeamChain::spread_steps(const FreshPower& fresh) {
-    fresh_.assign(plan_->bins, 0.0F);
-    for (std::size_t k = 0, first = 0; k < fresh.steps.size() && first < plan_->bins;
-         ++k, first += fresh.bins_per_step)
-        std::fill_n(&fresh_[first], std::min(fresh.bins_per_step, plan_->bins - first),
-                    static_cast<float>(plan_->power_gain) * fresh.steps[k]);
+    fresh_.resize(plan_->bins);
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < fresh.steps.size() && first < fresh_.size(); ++k) {
+        const std::size_t bins = std::min(fresh.bins_per_step, fresh_.size() - first);
+        std::fill_n(&fresh_[first], bins, static_cast<float>(plan_->power_gain) * fresh.steps[k]);
+        first += bins;
+    }
+    std::fill(fresh_.begin() + static_cast<std::ptrdiff_t>(first), fresh_.end(), 0.0F);
 }
 
 void BeamChain::spread(std::span<const float> values, std::span<float> means) {

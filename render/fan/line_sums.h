@@ -8,6 +8,7 @@
 #include "render/fan/bin_gain.h"
 #include "render/fan/line_bins.h"
 #include "render/fan/line_reader.h"
+#include "render/simd.h"
 
 namespace echoloop {
 
@@ -45,7 +46,6 @@ class LineSums {
     float* sector_steps(std::size_t i) { return line_steps(lines_.size() + i); }
 
   private:
-    static constexpr std::size_t floats_per_line = 16;
     FilledBins filled_steps() const {
         return FilledBins::within(bins_, length(), FilledBins::shift_of(length()));
     }

@@ -22,16 +22,12 @@ double scattering_at(std::span<const ScatteringPoint> points, double depth) {
     return db_to_power(a.strength + share * (b.strength - a.strength));
 }
 
-/// Of one step: levels at its beginning, middle and end. `half`: place of its first bin's middle.
+/// Adds to each bin what floats in the water: `first` in the first one and `step` more in each, times `gain`.
 ECHOLOOP_SIMD
-void add_floating(const std::array<float, 3> level, float half, float per_step, std::size_t count,
-                  const float* __restrict from, const float* __restrict gain, float* __restrict to) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const float at = half + static_cast<float>(static_cast<int>(i)) * per_step;
-        const float before = level[0] + (level[1] - level[0]) * (2 * at),
-                    after = level[1] + (level[2] - level[1]) * (2 * at - 1);
-        to[i] = from[i] + (at < 0.5F ? before : after) * gain[i];
-    }
+void add_floating(float first, float step, std::size_t count, const float* __restrict from,
+                  const float* __restrict gain, float* __restrict to) {
+    for (std::size_t i = 0; i < count; ++i)
+        to[i] = from[i] + (first + static_cast<float>(static_cast<int>(i)) * step) * gain[i];
 }
 
 /// Of one axis.
@@ -250,13 +246,20 @@ void FinishedRows::finish(const float* rows, std::size_t first, std::size_t coun
             const std::size_t middle = std::min(k * steps.bins + steps.bins / 2, bins - 1);
             own[k] = floating[k] * volume_gain_[middle] + surface[k] * per_step * gain_[middle];
         }
-        // Linear from the middle of a step to that of the next.
+        // Linear from the middle of a step to that of the next, so over each half of a step.
+        const std::size_t half = steps.bins / 2;
+        const float* const gains = volume_gain_.data();
+        const float past_middle = static_cast<float>(half) + 0.5F - 0.5F * static_cast<float>(steps.bins);
         for (std::size_t k = 0; k < steps.count; ++k) {
-            const float half = 0.5F * per_step, *v = &volume[k];
-            const float lower = 0.5F * (v[0] + v[1]), upper = 0.5F * (v[1] + v[2]);
-            const std::size_t begin = k * steps.bins;
-            add_floating({lower, v[1], upper}, half, per_step, std::min(steps.bins, bins - begin),
-                         from + begin, &volume_gain_[begin], to + begin);
+            const float *v = &volume[k], rise = (v[1] - v[0]) * per_step, fall = (v[2] - v[1]) * per_step;
+            const std::size_t begin = k * steps.bins, middle = std::min(begin + half, bins),
+                              end = std::min(begin + steps.bins, bins);
+            // The rows are new, and in no near cache.
+            prefetch<true>(to + begin + prefetched, end - begin);
+            add_floating(0.5F * (v[0] + v[1] + rise), rise, middle - begin, from + begin, gains + begin,
+                         to + begin);
+            add_floating(v[1] + past_middle * fall, fall, end - middle, from + middle, gains + middle,
+                         to + middle);
         }
     }
 }

@@ -11,7 +11,6 @@ namespace echoloop {
 namespace {
 
 constexpr std::size_t rows_at_once = 64;
-constexpr std::size_t floats_per_line = 16;  ///< of the processor's cache
 /// Of each stretch, which of 64 rows have it.
 using RowsOfStretches = std::array<std::uint64_t, rows_at_once>;
 
@@ -55,8 +54,7 @@ ECHOLOOP_INLINE std::size_t sum_tiles_of(const Sums& in) {
             for (; left != 0; left &= left - 1) {
                 const WeightedRow& row = rows[std::countr_zero(left)];
                 // So many rows are read in turns that no processor sees that each of them goes on.
-                for (std::size_t ahead = tile; ahead < 2 * tile; ahead += floats_per_line)
-                    __builtin_prefetch(row.values + at + ahead);
+                prefetch(row.values + at + tile, tile);
 #pragma GCC unroll 4
                 for (std::size_t i = 0; i < across; ++i) {
                     Vector values;

@@ -130,6 +130,8 @@ void Stretches::add_up(std::span<const float> beam, std::span<const float> least
         const std::size_t first = b * block;
         BlockSum all;
         if (b < whole) {
+            // Beams lie one behind the other: the next one comes while this one is looked at.
+            prefetch(beam.data() + first + prefetched, block);
             all = pick(&beam[first], &least[first], block, &counted_[first]);
         } else {
             float bins[block] = {}, bounds[block] = {};

@@ -8,13 +8,28 @@
 namespace echoloop::multibeam {
 namespace {
 
+/// Of a beam, by the sine and the cosine of its angle.
+struct Direction {
+    double sine = 0, cosine = 1;
+};
+
+Direction direction_of(double angle) { return {std::sin(angle), std::cos(angle)}; }
+
+/// Made once: neighbours are looked at again and again.
+std::vector<Direction> directions_of(std::span<const double> angles) {
+    std::vector<Direction> directions;
+    directions.reserve(angles.size());
+    for (const double angle : angles) directions.push_back(direction_of(angle));
+    return directions;
+}
+
 /// A point of the swath in seconds across and down.
 struct Point {
     double across = 0, down = 0;
 };
 
-Point point_of(const Detection& detection, double angle) {
-    return {detection.time * std::sin(angle), detection.time * std::cos(angle)};
+Point point_of(const Detection& detection, Direction beam) {
+    return {detection.time * beam.sine, detection.time * beam.cosine};
 }
 
 struct Line {
@@ -34,7 +49,7 @@ std::optional<Line> line_through(std::span<const Detection> detections, std::spa
         for (std::size_t beam = first; beam < first + points; ++beam) {
             const Detection& detection = detections[place(beam)];
             if (detection.method != Method::phase) return std::nullopt;
-            const Point point = point_of(detection, angles[place(beam)]);
+            const Point point = point_of(detection, direction_of(angles[place(beam)]));
             if (about_mean) {
                 across += (point.across - mean.across) * (point.across - mean.across);
                 both += (point.across - mean.across) * (point.down - mean.down);
@@ -64,26 +79,26 @@ std::optional<Line> line_around(std::span<const Point> points, std::size_t own, 
     return Line{origin.down + (z - slope * x) / n - slope * origin.across, slope};
 }
 
-/// Two-way time at which the beam at `angle` meets the line.
-double time_on(const Line& line, double angle) {
-    return line.down / (std::cos(angle) - line.slope * std::sin(angle));
+/// Two-way time at which a beam meets the line.
+double time_on(const Line& line, Direction beam) {
+    return line.down / (beam.cosine - line.slope * beam.sine);
 }
 
 /// How far a point is off the line, as a part of its time.
-double off_line(const Line& line, Point point, double angle) {
-    return std::abs(std::hypot(point.across, point.down) / time_on(line, angle) - 1);
+double off_line(const Line& line, Point point, Direction beam) {
+    return std::abs(std::hypot(point.across, point.down) / time_on(line, beam) - 1);
 }
 
-std::vector<Point> points_of(std::span<const Detection> detections, std::span<const double> angles) {
-    std::vector<Point> points(std::min(detections.size(), angles.size()));
-    for (std::size_t n = 0; n < points.size(); ++n) points[n] = point_of(detections[n], angles[n]);
+std::vector<Point> points_of(std::span<const Detection> detections, std::span<const Direction> beams) {
+    std::vector<Point> points(std::min(detections.size(), beams.size()));
+    for (std::size_t n = 0; n < points.size(); ++n) points[n] = point_of(detections[n], beams[n]);
     return points;
 }
 
-/// Two-way time at which the beam at `angle` meets the line through two points; 0 if it does not.
-double time_on_line(Point a, Point b, double angle) {
+/// Two-way time at which a beam meets the line through two points; 0 if it does not.
+double time_on_line(Point a, Point b, Direction beam) {
     const double x = b.across - a.across, z = b.down - a.down;
-    const double facing = std::sin(angle) * z - std::cos(angle) * x;
+    const double facing = beam.sine * z - beam.cosine * x;
     return facing == 0 ? 0 : (a.across * z - a.down * x) / facing;
 }
 
@@ -98,8 +113,7 @@ void continue_to_edges(std::span<Detection> detections, std::span<const double> 
         const auto line = line_through(detections, angles, edges, place);
         for (std::size_t beam = 0; line && beam < edges; ++beam) {
             Detection& own = detections[place(beam)];
-            const double angle = angles[place(beam)];
-            const double time = time_on(*line, angle);
+            const double time = time_on(*line, direction_of(angles[place(beam)]));
             if (own.method == Method::phase && own.begin <= time && time <= own.end) own.time = time;
         }
     }
@@ -112,7 +126,8 @@ void move_to_neighbours(std::span<Detection> detections, std::span<const double>
     constexpr double most_uneven = 0.003;  // of the time: neighbours farther off their line make none
     const std::size_t count = std::min(detections.size(), angles.size());
     if (count < 2 || 2 * (angles[1] - angles[0]) < beam_width) return;  // neighbours that share their speckle
-    const auto points = points_of(detections, angles);
+    const auto directions = directions_of(angles);
+    const auto points = points_of(detections, directions);
     for (std::size_t n = side; n + side < count; ++n) {
         Detection& own = detections[n];
         bool all = true;
@@ -121,10 +136,10 @@ void move_to_neighbours(std::span<Detection> detections, std::span<const double>
         if (!line) continue;
         double squares = 0;
         for (std::size_t beam = n - side; beam <= n + side; ++beam) {
-            const double off = off_line(*line, points[beam], angles[beam]);
+            const double off = off_line(*line, points[beam], directions[beam]);
             if (beam != n) squares += off * off / (2 * side);
         }
-        const double time = time_on(*line, angles[n]), uneven = std::sqrt(squares),
+        const double time = time_on(*line, directions[n]), uneven = std::sqrt(squares),
                      off = std::abs(own.time / time - 1);
         if (uneven < most_uneven && off > std::max(least_off, scattered * uneven) && own.begin <= time &&
             time <= own.end)
@@ -136,7 +151,8 @@ void smooth_by_phase(std::span<Detection> detections, std::span<const double> an
     constexpr double most_uneven =
         0.003;  // of the time: what is farther off its neighbours' line is really so
     if (beams < 3) return;
-    const auto points = points_of(detections, angles);
+    const auto directions = directions_of(angles);
+    const auto points = points_of(detections, directions);
     const auto by_phase = [&](std::size_t beam) {
         return beam < points.size() && detections[beam].method == Method::phase;
     };
@@ -154,16 +170,18 @@ void smooth_by_phase(std::span<Detection> detections, std::span<const double> an
         if (!line) continue;
         bool even = true;
         for (std::size_t beam = n - side; beam <= n + side; ++beam)
-            even &= off_line(*line, points[beam], angles[beam]) < most_uneven;
+            even &= off_line(*line, points[beam], directions[beam]) < most_uneven;
         Detection& own = detections[n];
-        const double time = time_on(*line, angles[n]);
+        const double time = time_on(*line, directions[n]);
         if (even && own.begin <= time && time <= own.end) own.time = time;
     }
 }
 
 void mark_in_line(std::span<Detection> detections, std::span<const double> angles) {
     constexpr double tolerance = 0.02;  // of the time, own choice
-    const auto count = static_cast<std::ptrdiff_t>(std::min(detections.size(), angles.size()));
+    const auto directions = directions_of(angles);
+    const auto points = points_of(detections, directions);
+    const auto count = static_cast<std::ptrdiff_t>(points.size());
     // Neighbours on either side, or two on one side: beyond a step the bottom goes on in a line, too.
     constexpr std::array<std::array<std::ptrdiff_t, 2>, 4> pairs{{{-1, 1}, {-2, 2}, {-2, -1}, {1, 2}}};
     for (std::ptrdiff_t n = 0; n < count; ++n) {
@@ -174,8 +192,7 @@ void mark_in_line(std::span<Detection> detections, std::span<const double> angle
             const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
             if (!detections[i].found() || !detections[j].found()) return false;
             const double expected =
-                time_on_line(point_of(detections[i], angles[i]), point_of(detections[j], angles[j]),
-                             angles[static_cast<std::size_t>(n)]);
+                time_on_line(points[i], points[j], directions[static_cast<std::size_t>(n)]);
             return std::abs(expected - own.time) < tolerance * own.time;
         };
         own.in_line = own.found() && std::any_of(pairs.begin(), pairs.end(), fits);
@@ -203,7 +220,7 @@ double median_slope(std::span<const Detection> detections, std::span<const doubl
     std::vector<Point> points;
     for (std::size_t n = 0; n < detections.size(); ++n)
         if (detections[n].found() && std::abs(angles[n]) < deg_to_rad(60))
-            points.push_back(point_of(detections[n], angles[n]));
+            points.push_back(point_of(detections[n], direction_of(angles[n])));
     if (points.size() < least) return 0;
     std::vector<double> slopes;
     const std::size_t half = points.size() / 2;
