@@ -78,13 +78,22 @@ void find_limits(const std::int32_t* __restrict first, const std::int32_t* __res
 
 /// Their sum; and leaves the turns empty.
 ECHOLOOP_SIMD
-void add_turns(float* __restrict rows, std::size_t stride, std::size_t begin, std::size_t end,
-               float* __restrict values) {
+void add_some_turns(float* __restrict rows, std::size_t stride, std::size_t begin, std::size_t end,
+                    float* __restrict values) {
     static_assert(turns == 4);
     float* __restrict a = rows, * __restrict b = a + stride, * __restrict c = b + stride, * __restrict d = c + stride;
     for (std::size_t i = begin; i < end; ++i) {
         values[i] = (a[i] + b[i]) + (c[i] + d[i]);
         a[i] = 0, b[i] = 0, c[i] = 0, d[i] = 0;
+    }
+}
+
+/// The same; `values` are in no near cache.
+void add_turns(float* rows, std::size_t stride, BinStretch bins, float* values) {
+    constexpr std::size_t part = 128;
+    for (std::size_t begin = bins.begin; begin < bins.end; begin += part) {
+        prefetch<true>(values + begin + prefetched, part);
+        add_some_turns(rows, stride, begin, std::min(begin + part, bins.end), values);
     }
 }
 
@@ -127,8 +136,9 @@ BinStretch EchoSpreader::spread(const EchoArrays& echoes, std::size_t count, std
     const BinStretch covered{static_cast<std::size_t>(begin) / line * line,
                              std::min(static_cast<std::size_t>(end), bins)};
     if (covered.empty()) return covered;
+    prefetch<true>(values + covered.begin, prefetched);
     add(count, rows);
-    add_turns(rows, stride, covered.begin, covered.end, values);
+    add_turns(rows, stride, covered, values);
     return covered;
 }
 
