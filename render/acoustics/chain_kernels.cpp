@@ -44,33 +44,48 @@ struct Tile {
 };
 
 /// Cube roots by the law: a polynomial in z, whose coefficients are those of `base` and, `between` two laws,
-/// as much of `more` as the share says. Of four vectors in turns: each step of one waits for the step before,
-/// and a processor does not look so far ahead that it finds the next bins by itself.
+/// as much of `more` as the share says. Even and odd terms apart, of four vectors in turns: each step waits
+/// for the step before, and a processor does not look so far ahead that it finds the next bins by itself.
 template <class Vector, bool between>
 ECHOLOOP_INLINE void find_roots_of(const float* base, const float* more, Tile& tile, std::size_t count) {
     constexpr std::size_t across = 4, lanes = sizeof(Vector) / sizeof(float);
-    static_assert(bins_at_once % (across * lanes) == 0);
+    static_assert(bins_at_once % (across * lanes) == 0 && law_terms % 2 == 1);
     for (std::size_t at = 0; at < count; at += across * lanes) {
-        Vector z[across], root[across], share[across] = {};
+        Vector square[across], even[across], odd[across], share[across] = {};
+        const auto term = [&](int k, std::size_t i, Vector& out) {
+            out = Vector{} + base[k];
+            if constexpr (between) out += share[i] * more[k];
+        };
+        const auto read = [&](std::size_t i, Vector& z) {
+            std::memcpy(&z, tile.z + at + i * lanes, sizeof z);
+        };
 #pragma GCC unroll 4
         for (std::size_t i = 0; i < across; ++i) {
-            std::memcpy(&z[i], tile.z + at + i * lanes, sizeof z[i]);
+            Vector z;
+            read(i, z);
+            square[i] = z * z;
             if constexpr (between) std::memcpy(&share[i], tile.share + at + i * lanes, sizeof share[i]);
-            root[i] = Vector{} + base[law_terms - 1];
-            if constexpr (between) root[i] += share[i] * more[law_terms - 1];
+            term(law_terms - 1, i, even[i]), term(law_terms - 2, i, odd[i]);
         }
-#pragma GCC unroll 8
-        for (int k = law_terms - 2; k >= 0; --k) {
+#pragma GCC unroll 4
+        for (int k = law_terms - 3; k >= 0; k -= 2) {
 #pragma GCC unroll 4
             for (std::size_t i = 0; i < across; ++i) {
-                Vector term = Vector{} + base[k];
-                if constexpr (between) term += share[i] * more[k];
-                root[i] = root[i] * z[i] + term;
+                Vector next;
+                term(k, i, next);
+                even[i] = even[i] * square[i] + next;
+                if (k == 0) continue;
+                term(k - 1, i, next);
+                odd[i] = odd[i] * square[i] + next;
             }
         }
 #pragma GCC unroll 4
-        for (std::size_t i = 0; i < across; ++i)
-            std::memcpy(tile.z + at + i * lanes, &root[i], sizeof root[i]);
+        for (std::size_t i = 0; i < across; ++i) {
+            Vector z;
+            read(i, z);
+            const Vector root = even[i] + odd[i] * z;
+            std::memcpy(tile.z + at + i * lanes, &root, sizeof root);
+        }
     }
 }
 
