@@ -1,4 +1,5 @@
 #include "render/fan/summing.h"
+#include "render/simd.h"
 
 #include <algorithm>
 #include <cmath>
@@ -188,13 +189,27 @@ class FanSumming final : public Summing {
     void add_paths(const BinningInput& in, const BinGain& gain) {
         if (in.paths.empty()) return;
         const LineFinder lines(in.plan);
+        arrivals_.clear();
         for (const PathEcho& path : in.paths) {
             const auto low = static_cast<float>((path.near_range - in.first_range) / in.bin_length);
             const auto high = static_cast<float>((path.far_range - in.first_range) / in.bin_length);
             const auto bin = static_cast<std::size_t>(std::max(0.5F * (low + high), 0.0F));
             if (bin >= in.bins || !(gain.values()[bin] > 0)) continue;
             if (LineBins* row = row_of(in, lines, path))
-                row->deposit(low, high, path.power / gain.values()[bin]);
+                arrivals_.push_back({row, low, high, path.power / gain.values()[bin]});
+        }
+        constexpr std::size_t ahead = 4;
+        for (std::size_t i = 0; i < arrivals_.size(); ++i) {
+            if (i + ahead < arrivals_.size()) {
+                const Arrival& next = arrivals_[i + ahead];
+                const float first = std::max(next.low, 0.0F),
+                            last = std::min(next.high, static_cast<float>(in.bins));
+                if (first < last)
+                    prefetch<true>(next.row->data() + static_cast<std::size_t>(first),
+                                   static_cast<std::size_t>(last - first) + 1);
+            }
+            const Arrival& own = arrivals_[i];
+            own.row->deposit(own.low, own.high, own.power);
         }
     }
 
@@ -224,8 +239,15 @@ class FanSumming final : public Summing {
         }
     }
 
+    /// Bins that an indirect echo covers.
+    struct Arrival {
+        LineBins* row;
+        float low, high, power;
+    };
+
     Workers& workers_;
     LineSums sums_;
+    std::vector<Arrival> arrivals_;
     BeamSums beams_;
     mutable TargetBeams target_beams_;
     std::vector<UnderWay> under_way_;  ///< of each sector
