@@ -187,7 +187,8 @@ std::size_t Stretches::peak(double least) {
     const auto promise = std::ranges::max_element(candidates_, {}, &Candidates::most);
     if (promise != candidates_.end()) look_at(*promise, least, best);
     for (const Candidates& one : candidates_)
-        if (one.most >= best.gained && may_have(one, least, best.gained)) look_at(one, least, best);
+        if (one.most >= best.gained && (cuts(one) || may_have(one, least, best.gained)))
+            look_at(one, least, best);
     return best.bin;
 }
 
@@ -201,12 +202,17 @@ void Stretches::look_at(const Candidates& all, double least, Loudest& best) {
         for (std::size_t i = all.begin; i < all.end; ++i) take(i, mean(i));
         return;
     }
-    const double *from = sums_of(all), *to = from + all.length(), bins = static_cast<double>(all.length());
-    for (std::size_t i = all.begin; i < all.end; ++i, ++from, ++to) take(i, (*to - *from) / bins);
+    constexpr std::size_t few = 16;
+    for (Candidates some = all; some.begin < all.end; some.begin = some.end) {
+        some.end = std::min(some.begin + few, all.end);
+        if (!may_have(some, least, best.gained)) continue;
+        const double *from = sums_of(some), *to = from + all.length();
+        for (std::size_t i = some.begin; i < some.end; ++i, ++from, ++to)
+            take(i, (*to - *from) / static_cast<double>(all.length()));
+    }
 }
 
 bool Stretches::may_have(const Candidates& all, double least, double most) {
-    if (cuts(all)) return true;
     const double* from = sums_of(all);
     const double sum = greatest_difference(from, from + all.length(), all.end - all.begin);
     const double power = sum / static_cast<double>(all.length());
