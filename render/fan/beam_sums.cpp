@@ -92,7 +92,8 @@ void BeamSums::sum_nodes(const FarLobes& far, LineSums& lines, Workers& workers)
             if (row.filled.bits == 0) continue;
             for (std::size_t k = 0; k < count; ++k)
                 row.weights[k] = far.weight[(first + k) * far.sectors + s];
-            rows.push_back(row);
+            // Of what lies beside a fan its beams hear nothing in the sectors within.
+            if (row.weights != std::array<float, sums_at_once>{}) rows.push_back(row);
         }
         sum_rows(rows, nullptr, bins, count, &nodes_[first * bins]);
     });
