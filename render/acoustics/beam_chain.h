@@ -127,8 +127,9 @@ class BeamChain {
     void fill(Kind kind, std::uint32_t cell, std::vector<float>& out);
     void fill_from(const ScattererView& view, std::uint64_t key, Kind kind, std::uint32_t cell,
                    std::vector<float>& out);
-    void fill_layers(const ScattererView& view, std::uint64_t key, Kind kind, std::uint32_t cell,
-                     std::size_t before, std::size_t count);
+    void filter_white(const LineFilter& filter, std::size_t at, std::vector<float>& out);
+    void fill_from_layers(const ScattererView& view, std::uint64_t key, Kind kind, std::uint32_t cell,
+                          std::vector<float>& out);
     void mix_rows(Kind kind, std::uint32_t cell, std::vector<float>& out);
     void hear(Kind kind, const HeardCells& cells, Part part);
     void hear_leaning(double place, Part part);
@@ -162,7 +163,7 @@ class BeamChain {
     std::uint64_t uses_ = 0;
     Part with_points_;                                   ///< bins that a beam's point echoes reach
     std::vector<float> points_real_, points_imaginary_;  ///< amplitude of the point echoes, sqrt(uPa^2)
-    std::vector<float> places_, energies_, cosines_, padded_, white_, next_white_, scratch_, fresh_;
+    std::vector<float> places_, energies_, cosines_, padded_, white_, scratch_, fresh_;
 };
 
 }  // namespace echoloop

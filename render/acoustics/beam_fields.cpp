@@ -56,48 +56,47 @@ void BeamChain::mix_rows(Kind kind, std::uint32_t cell, std::vector<float>& out)
 
 void BeamChain::fill_from(const ScattererView& view, std::uint64_t key, Kind kind, std::uint32_t cell,
                           std::vector<float>& out) {
-    const LineFilter& filter = (kind == noise ? plan_->noise : plan_->echo).bins;
-    const bool filters = !filter.is_identity();
-    const std::size_t before = filters ? filter.before() : 0, count = before + plan_->bins;
-    const std::size_t room = filters ? filter.room(plan_->bins) : count;
     out.resize(plan_->bins);
-    std::span<float> white;
     if (kind == noise || kind == fresh_speckle) {
-        white_.resize(normals_room(room));
-        const std::size_t at = normals({key, ping_.ping, cell, kind}, 0, count, white_.data());
-        white = std::span(white_).subspan(at, room);
+        const LineFilter& filter = (kind == noise ? plan_->noise : plan_->echo).bins;
+        white_.resize(normals_room(filter.room(plan_->bins)));
+        filter_white(filter,
+                     normals({key, ping_.ping, cell, kind}, 0, filter.before() + plan_->bins, white_.data()),
+                     out);
     } else {
-        padded_.resize(room);
-        fill_layers(view, key, kind, cell, before, count);
-        white = std::span(padded_).first(room);
+        fill_from_layers(view, key, kind, cell, out);
     }
-    if (filters)
-        filter.apply(white, plan_->bins, out.data(), scratch_);
-    else
-        std::ranges::copy(white, out.begin());
 }
 
-/// White numbers at ranges fixed to the world, between two layers of them; into padded_.
-void BeamChain::fill_layers(const ScattererView& sonar, std::uint64_t key, Kind kind, std::uint32_t cell,
-                            std::size_t before, std::size_t count) {
+/// From the white numbers that begin at `at`.
+void BeamChain::filter_white(const LineFilter& filter, std::size_t at, std::vector<float>& out) {
+    const auto white = std::span(white_).subspan(at, filter.room(plan_->bins));
+    if (filter.is_identity())
+        std::copy_n(white.begin(), plan_->bins, out.begin());
+    else
+        filter.apply(white, plan_->bins, out.data(), scratch_);
+}
+
+/// From white numbers at ranges fixed to the world, between two layers of them.
+void BeamChain::fill_from_layers(const ScattererView& sonar, std::uint64_t key, Kind kind, std::uint32_t cell,
+                                 std::vector<float>& out) {
     const CellView view = sonar.of(cell, cell * plan_->grid.cell_width());
     const double place = (plan_->first_range + view.shift) / plan_->bin_length;
     const double whole = std::floor(place), share = place - whole, rest = 1 - share;
-    const auto first = static_cast<std::int64_t>(whole) - static_cast<std::int64_t>(before);
-    white_.resize(normals_room(count + 1));
-    next_white_.resize(normals_room(count + 1));
+    const LineFilter filter = plan_->echo.bins.moved(static_cast<float>(share));
+    const auto first = static_cast<std::int64_t>(whole) - static_cast<std::int64_t>(filter.before());
     const auto layer = [&](std::uint64_t number) {
         return RandomStream{key, mix(sonar.key(), number), cell, kind};
     };
-    const std::size_t at = normals(layer(view.layer), first, count + 1, white_.data());
-    normals(layer(view.layer + 1), first, count + 1, next_white_.data());
     // What lies between two bins keeps its variance.
     const double scale =
         1 / std::sqrt(rest * rest + share * share + 2 * rest * share * plan_->echo.neighbours);
-    const auto by = [&](double weight) { return static_cast<float>(scale * weight); };
-    kernels::blend({by(view.weight * rest), by(view.weight * share), by(view.next_weight * rest),
-                    by(view.next_weight * share)},
-                   white_.data() + at, next_white_.data() + at, count, padded_.data());
+    white_.resize(normals_room(filter.room(plan_->bins)));
+    const std::size_t at =
+        mixed_normals({layer(view.layer), layer(view.layer + 1)},
+                      {static_cast<float>(scale * view.weight), static_cast<float>(scale * view.next_weight)},
+                      first, filter.before() + plan_->bins + filter.after(), white_.data());
+    filter_white(filter, at, out);
 }
 
 /// Of the speckle of the beam under way, at whose place `cell` is. The field stays where it is for as long.

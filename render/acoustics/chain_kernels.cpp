@@ -175,12 +175,6 @@ ECHOLOOP_SIMD void interfere(const float* other, const float* cosine, float look
         power[i] += other[i] + cross * (std::sqrt(power[i]) * std::sqrt(other[i])) * cosine[i];
 }
 
-ECHOLOOP_SIMD void blend(std::array<float, 4> weights, const float* a, const float* b, std::size_t count,
-                         float* out) {
-    for (std::size_t i = 0; i < count; ++i)
-        out[i] = (weights[0] * a[i] + weights[1] * a[i + 1]) + (weights[2] * b[i] + weights[3] * b[i + 1]);
-}
-
 ECHOLOOP_SIMD void weighted_sum(const float* const* fields, const float* weights, std::size_t fields_count,
                                 std::size_t count, float* out) {
     const std::size_t together = std::min(fields_count, most_together);

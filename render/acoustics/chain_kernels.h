@@ -29,8 +29,6 @@ void multiply_by_law(const float* root, const float* z, std::size_t count, float
 /// power = |a + b|^2 of two fields of power and other in intensity, whose phases differ by the angle of that
 /// cosine, as the mean over so many looks: a + b + 2 sqrt(a b / looks) cosine.
 void interfere(const float* other, const float* cosine, float looks, std::size_t count, float* power);
-/// out[i] = w0 a[i] + w1 a[i + 1] + w2 b[i] + w3 b[i + 1].
-void blend(std::array<float, 4> weights, const float* a, const float* b, std::size_t count, float* out);
 /// out = the sum of weights[k] fields[k], of at least one.
 void weighted_sum(const float* const* fields, const float* weights, std::size_t fields_count,
                   std::size_t count, float* out);

@@ -120,6 +120,15 @@ LineFilter LineFilter::boxed(double length, std::size_t smoothing, std::ptrdiff_
     return out;
 }
 
+LineFilter LineFilter::moved(float share) const {
+    LineFilter out = *this;
+    out.first_ = first_ - 1;
+    out.taps_.assign(taps_.size() + 1, 0.0F);
+    for (std::size_t k = 0; k < taps_.size(); ++k)
+        out.taps_[k] += share * taps_[k], out.taps_[k + 1] = (1 - share) * taps_[k];
+    return out;
+}
+
 std::size_t LineFilter::before() const {
     const auto taps = first_ + static_cast<std::ptrdiff_t>(taps_.size()) - 1;
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(taps, 0)) + box_ + smoothing_;

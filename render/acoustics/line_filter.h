@@ -19,6 +19,9 @@ class LineFilter {
     static LineFilter boxed(double length, std::size_t smoothing, std::ptrdiff_t first,
                             std::vector<float> taps);
 
+    /// The same of an input that is moved by a part of a bin: of (1 - share) in[j] + share in[j + 1].
+    LineFilter moved(float share) const;
+
     /// Bins of input that the first output needs before itself, and the last one behind itself.
     std::size_t before() const;
     std::size_t after() const;

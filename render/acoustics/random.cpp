@@ -120,27 +120,63 @@ class NormalPool {
     alignas(64) float values_[size + normals_tile];
 };
 
-/// Of whole tiles. Each is the sum of two stretches of the pool from places of its own, and every number has
-/// a sign of its own: so no two numbers go together, whatever the pool's neighbours do.
-ECHOLOOP_SIMD void fill_normals(const float* pool, Seeds seeds, std::uint32_t first_tile, std::size_t tiles,
-                                float* out) {
-    constexpr std::size_t at_once = 16;
-    std::uint32_t places[at_once], signs[at_once];
-    for (std::size_t begin = 0; begin < tiles; begin += at_once) {
-        const std::uint32_t first =
-            (first_tile + static_cast<std::uint32_t>(begin)) * 2 * golden_step + seeds.before;
-        for (std::uint32_t i = 0; i < at_once; ++i) {
+/// Of some tiles, where in the pool their two stretches begin, and the signs of their numbers: so no two
+/// numbers go together, whatever the pool's neighbours do.
+struct Tiles {
+    static constexpr std::size_t count = 16;
+    std::uint32_t places[count], signs[count];
+
+    ECHOLOOP_INLINE void find(Seeds seeds, std::uint32_t first_tile) {
+        const std::uint32_t first = first_tile * 2 * golden_step + seeds.before;
+        for (std::uint32_t i = 0; i < count; ++i) {
             places[i] = word_at(first + 2 * i * golden_step, seeds.between);
             signs[i] = word_at(first + (2 * i + 1) * golden_step, seeds.between);
         }
-        const std::size_t these = std::min(at_once, tiles - begin);
+    }
+};
+
+/// Numbers of one tile, times a weight.
+struct TileNumbers {
+    const float *one, *other;
+    std::uint32_t signs;
+    float weight;
+
+    ECHOLOOP_INLINE TileNumbers(const float* pool, const Tiles& tiles, std::size_t tile, float times)
+        : one(pool + (tiles.places[tile] >> (32 - NormalPool::size_log2))),
+          other(pool + tiles.places[tile] % NormalPool::size),
+          signs(tiles.signs[tile]),
+          weight(times) {}
+    ECHOLOOP_INLINE float at(std::uint32_t i) const {
+        return std::bit_cast<float>(std::bit_cast<std::uint32_t>((one[i] + other[i]) * weight) ^
+                                    (signs << i & 0x80000000U));
+    }
+};
+
+/// Of whole tiles.
+ECHOLOOP_SIMD void fill_normals(const float* pool, Seeds seeds, std::uint32_t first_tile, std::size_t tiles,
+                                float* out) {
+    Tiles some;
+    for (std::size_t begin = 0; begin < tiles; begin += Tiles::count) {
+        some.find(seeds, first_tile + static_cast<std::uint32_t>(begin));
+        const std::size_t these = std::min(Tiles::count, tiles - begin);
         for (std::size_t tile = 0; tile < these; ++tile, out += normals_tile) {
-            const float *one = pool + (places[tile] >> (32 - NormalPool::size_log2)),
-                        *other = pool + places[tile] % NormalPool::size;
-            const std::uint32_t sign = signs[tile];
-            for (std::uint32_t i = 0; i < normals_tile; ++i)
-                out[i] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(one[i] + other[i]) ^
-                                              (sign << i & 0x80000000U));
+            const TileNumbers numbers(pool, some, tile, 1);
+            for (std::uint32_t i = 0; i < normals_tile; ++i) out[i] = numbers.at(i);
+        }
+    }
+}
+
+ECHOLOOP_SIMD void fill_mixed_normals(const float* pool, std::array<Seeds, 2> seeds,
+                                      std::array<float, 2> weights, std::uint32_t first_tile,
+                                      std::size_t tiles, float* out) {
+    Tiles a, b;
+    for (std::size_t begin = 0; begin < tiles; begin += Tiles::count) {
+        const std::uint32_t first = first_tile + static_cast<std::uint32_t>(begin);
+        a.find(seeds[0], first), b.find(seeds[1], first);
+        const std::size_t these = std::min(Tiles::count, tiles - begin);
+        for (std::size_t tile = 0; tile < these; ++tile, out += normals_tile) {
+            const TileNumbers one(pool, a, tile, weights[0]), other(pool, b, tile, weights[1]);
+            for (std::uint32_t i = 0; i < normals_tile; ++i) out[i] = one.at(i) + other.at(i);
         }
     }
 }
@@ -166,14 +202,41 @@ std::array<std::uint32_t, 4> threefry(std::array<std::uint32_t, 4> counter,
     return {c.x0, c.x1, c.x2, c.x3};
 }
 
-std::size_t normals(const RandomStream& stream, std::int64_t first, std::size_t count, float* out) {
+namespace {
+
+const float* pool_values() {
     static const NormalPool pool;
-    constexpr auto tile = static_cast<std::int64_t>(normals_tile);
-    const std::int64_t within = (first % tile + tile) % tile;
-    const auto from = static_cast<std::size_t>(within);
-    fill_normals(pool.values(), seeds_of(stream), static_cast<std::uint32_t>((first - within) / tile),
-                 (from + count + normals_tile - 1) / normals_tile, out);
-    return from;
+    return pool.values();
+}
+
+/// The tiles that hold numbers first..first + count - 1.
+struct WholeTiles {
+    std::uint32_t first;
+    std::size_t count, before;  ///< `before`: numbers of the first tile before number `first`
+
+    WholeTiles(std::int64_t first_number, std::size_t numbers) {
+        constexpr auto tile = static_cast<std::int64_t>(normals_tile);
+        const std::int64_t within = (first_number % tile + tile) % tile;
+        before = static_cast<std::size_t>(within);
+        first = static_cast<std::uint32_t>((first_number - within) / tile);
+        count = (before + numbers + normals_tile - 1) / normals_tile;
+    }
+};
+
+}  // namespace
+
+std::size_t normals(const RandomStream& stream, std::int64_t first, std::size_t count, float* out) {
+    const WholeTiles tiles(first, count);
+    fill_normals(pool_values(), seeds_of(stream), tiles.first, tiles.count, out);
+    return tiles.before;
+}
+
+std::size_t mixed_normals(const std::array<RandomStream, 2>& streams, std::array<float, 2> weights,
+                          std::int64_t first, std::size_t count, float* out) {
+    const WholeTiles tiles(first, count);
+    fill_mixed_normals(pool_values(), {seeds_of(streams[0]), seeds_of(streams[1])}, weights, tiles.first,
+                       tiles.count, out);
+    return tiles.before;
 }
 
 void random_cosines(const RandomStream& stream, std::size_t count, float* cosine) {

@@ -43,6 +43,11 @@ constexpr std::size_t normals_room(std::size_t count) { return count + 2 * norma
 /// on, and some around them; returns where in `out` number `first` lies.
 std::size_t normals(const RandomStream& stream, std::int64_t first, std::size_t count, float* out);
 
+/// The same numbers of two streams, times weights, added: in one go, since they are made more quickly than
+/// they are read again.
+std::size_t mixed_normals(const std::array<RandomStream, 2>& streams, std::array<float, 2> weights,
+                          std::int64_t first, std::size_t count, float* out);
+
 /// Cosines of uniform angles.
 void random_cosines(const RandomStream& stream, std::size_t count, float* cosine);
 
