@@ -120,5 +120,23 @@ TEST(Random, NormalsAreAFunctionOfTheirNumber) {
     }
 }
 
+/// The numbers at one place of all tiles come out of a sixteenth of the pool.
+TEST(Random, EveryPlaceInATileIsDistributedAlike) {
+    constexpr std::size_t tiles = 100, streams = 1000, count = tiles * normals_tile;
+    std::vector<double> sum(normals_tile), squares(normals_tile);
+    std::vector<float> room(normals_room(count));
+    for (std::uint32_t lane = 0; lane < streams; ++lane) {
+        const float* z = room.data() + normals({5, 6, lane, 7}, 0, count, room.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            const double number = z[i];
+            sum[i % normals_tile] += number, squares[i % normals_tile] += number * number;
+        }
+    }
+    for (std::size_t place = 0; place < normals_tile; ++place) {
+        EXPECT_NEAR(sum[place] / (tiles * streams), 0, 0.016) << place;      // 5 standard deviations
+        EXPECT_NEAR(squares[place] / (tiles * streams), 1, 0.022) << place;  // the same
+    }
+}
+
 }  // namespace
 }  // namespace echoloop

@@ -25,12 +25,14 @@ Shot sampled(std::size_t beams, std::size_t bins, double bin, double pulse) {
     return shot;
 }
 
-/// Every `step`th bin of every `beam_step`th beam.
+constexpr std::size_t whole_pulse = 100;  ///< bins from which on the longest one here is heard whole
+
+/// Every `step`th bin of every `beam_step`th beam, where all of the pulse is heard.
 std::vector<float> thinned(const std::vector<float>& values, const Shot& shot, std::size_t step,
                            std::size_t beam_step = 2) {
     std::vector<float> out;
     for (std::size_t beam = 0; beam < shot.bearings.size(); beam += beam_step)
-        for (std::size_t bin = 60; bin < shot.bins; bin += step)
+        for (std::size_t bin = whole_pulse; bin < shot.bins; bin += step)
             out.push_back(values[beam * shot.bins + bin]);
     return out;
 }
