@@ -4,9 +4,7 @@
 #include <bit>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "render/acoustics/vector_math.h"
 
@@ -96,48 +94,27 @@ ECHOLOOP_INLINE std::uint32_t word_at(std::uint32_t place, std::uint32_t between
     return x ^ x >> 15;
 }
 
-template <class Number>
-void shuffle(std::span<Number> numbers, std::uint64_t key) {
-    for (std::size_t i = numbers.size() - 1; i > 0; --i)
-        std::swap(numbers[i], numbers[mix(key, i) % (i + 1)]);
-}
-
 /// Normal numbers of variance 1/2 in random order: the quantiles, so that together they are distributed as
-/// exactly as so many can be. Stretches of them begin with lines of the processor's cache, so each place in a
-/// line has its column of numbers: with each its opposite, and one of every 16 neighbouring quantiles. So
-/// every column has the mean 0, the variance and the distribution of all. The first ones stand again behind
-/// the last.
+/// exactly as so many can be. The first ones stand again behind the last.
 class NormalPool {
   public:
-    static constexpr std::size_t size = 16'384;
+    static constexpr int size_log2 = 14;
+    static constexpr std::size_t size = std::size_t{1} << size_log2;
 
     NormalPool() {
-        constexpr std::size_t columns = floats_per_line, pairs = size / 2 / columns;
-        std::vector<double> quantiles;
-        for (std::size_t i = 0; i < size / 2; ++i)
-            quantiles.push_back(boost::math::erfc_inv(2 * (static_cast<double>(i) + 0.5) / size));
-        for (std::size_t k = 0; k < pairs; ++k)
-            shuffle(std::span(quantiles).subspan(k * columns, columns), k);
-        std::vector<double> column(2 * pairs);
-        for (std::size_t c = 0; c < columns; ++c) {
-            double energy = 0;
-            for (std::size_t k = 0; k < pairs; ++k) {
-                const double quantile = quantiles[k * columns + c];
-                column[2 * k] = quantile, column[2 * k + 1] = -quantile;
-                energy += quantile * quantile / static_cast<double>(pairs);
-            }
-            shuffle(std::span(column), size + c);
-            const double scale = std::sqrt(0.5 / energy);
-            for (std::size_t k = 0; k < column.size(); ++k)
-                values_[k * columns + c] = static_cast<float>(scale * column[k]);
+        double energy = 0;
+        for (std::size_t i = 0; i < size / 2; ++i) {
+            const double share = (static_cast<double>(i) + 0.5) / size;
+            const double quantile = boost::math::erfc_inv(2 * share);
+            values_[i] = static_cast<float>(quantile), values_[size - 1 - i] = static_cast<float>(-quantile);
+            energy += 2 * quantile * quantile / size;
         }
+        const auto scale = static_cast<float>(std::sqrt(0.5 / energy));
+        for (std::size_t i = size - 1; i > 0; --i) std::swap(values_[i], values_[mix(size, i) % (i + 1)]);
+        for (std::size_t i = 0; i < size; ++i) values_[i] *= scale;
         std::copy_n(values_, normals_tile, values_ + size);
     }
     const float* values() const { return values_; }
-    /// Of a stretch, by some bits.
-    static constexpr std::size_t place_of(std::uint32_t bits) {
-        return bits % (size / floats_per_line) * floats_per_line;
-    }
 
   private:
     alignas(64) float values_[size + normals_tile];
@@ -165,8 +142,8 @@ struct TileNumbers {
     float weight;
 
     ECHOLOOP_INLINE TileNumbers(const float* pool, const Tiles& tiles, std::size_t tile, float times)
-        : one(pool + NormalPool::place_of(tiles.places[tile] >> 16)),
-          other(pool + NormalPool::place_of(tiles.places[tile])),
+        : one(pool + (tiles.places[tile] >> (32 - NormalPool::size_log2))),
+          other(pool + tiles.places[tile] % NormalPool::size),
           signs(tiles.signs[tile]),
           weight(times) {}
     ECHOLOOP_INLINE float at(std::uint32_t i) const {

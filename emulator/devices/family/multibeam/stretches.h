@@ -104,8 +104,8 @@ class Stretches {
     const double* sums_of(const Candidates& all);
     /// Finds the loudest of them with a mean above `least`, if it is louder than `best`.
     void look_at(const Candidates& all, double least, Loudest& best);
-    /// Whether one of them may have a mean above `least` that is not below `most` with the gain; of footprints
-    /// that are whole.
+    /// Whether one of them may have a mean above `least` that is not below `most` with the gain; of
+    /// footprints that are whole.
     bool may_have(const Candidates& all, double least, double most);
 
     std::vector<Candidates> candidates_;  ///< work memory of peak()
