@@ -56,5 +56,25 @@ TEST(LineFilter, FiltersAShortRowWhereItLies) {
 
 TEST(LineFilter, HasATapAtLeast) { EXPECT_THROW(LineFilter(0, {}), std::invalid_argument); }
 
+TEST(LineFilter, MovedByAPartOfABinItFiltersWhatLiesBetweenTwoBins) {
+    constexpr std::size_t count = 50;
+    constexpr float share = 0.3F;
+    std::vector<float> in(200), between(200), scratch;
+    for (std::size_t i = 0; i < in.size(); ++i) in[i] = static_cast<float>((i * i * 7 + 3 * i) % 31) - 15;
+    for (std::size_t i = 0; i + 1 < in.size(); ++i) between[i] = (1 - share) * in[i] + share * in[i + 1];
+    for (const LineFilter& filter : {LineFilter(), LineFilter(0, {0.5F, 2, -1}), LineFilter(-2, {1, 3, 1}),
+                                     LineFilter::boxed(4.5, 2, 0, {1, 2})}) {
+        const LineFilter moved = filter.moved(share);
+        std::vector<float> wanted(count), got(count), left = between, right = in;
+        // Both begin with what the first output needs before itself.
+        const std::size_t start = 60;
+        filter.apply(std::span(left).subspan(start - filter.before(), filter.room(count)), count,
+                     wanted.data(), scratch);
+        moved.apply(std::span(right).subspan(start - moved.before(), moved.room(count)), count, got.data(),
+                    scratch);
+        for (std::size_t i = 0; i < count; ++i) EXPECT_NEAR(got[i], wanted[i], 2e-4) << i;
+    }
+}
+
 }  // namespace
 }  // namespace echoloop

@@ -120,7 +120,7 @@ TEST(Random, NormalsAreAFunctionOfTheirNumber) {
     }
 }
 
-/// The numbers at one place of all tiles come out of a sixteenth of the pool.
+/// A pool whose stretches begin at some places only could have favourites among them.
 TEST(Random, EveryPlaceInATileIsDistributedAlike) {
     constexpr std::size_t tiles = 100, streams = 1000, count = tiles * normals_tile;
     std::vector<double> sum(normals_tile), squares(normals_tile);
@@ -135,6 +135,19 @@ TEST(Random, EveryPlaceInATileIsDistributedAlike) {
     for (std::size_t place = 0; place < normals_tile; ++place) {
         EXPECT_NEAR(sum[place] / (tiles * streams), 0, 0.016) << place;      // 5 standard deviations
         EXPECT_NEAR(squares[place] / (tiles * streams), 1, 0.022) << place;  // the same
+    }
+}
+
+TEST(Random, MixedNormalsAreThoseOfBothStreams) {
+    constexpr std::size_t count = 700;
+    const RandomStream one{1, 2, 3, 4}, other{1, 9, 3, 4};
+    std::vector<float> a(normals_room(count)), b = a, mixed = a;
+    for (const std::int64_t first : {-333, 0, 41}) {
+        const std::size_t at = normals(one, first, count, a.data());
+        EXPECT_EQ(normals(other, first, count, b.data()), at);
+        EXPECT_EQ(mixed_normals({one, other}, {0.6F, -0.8F}, first, count, mixed.data()), at);
+        for (std::size_t i = at; i < at + count; ++i)
+            EXPECT_NEAR(mixed[i], 0.6F * a[i] - 0.8F * b[i], 1e-6) << i;
     }
 }
 
