@@ -44,6 +44,14 @@ TEST(ShortTaps, WhatNoFilterHasIsComeNearTo) {
     expect_correlation(taps, wanted);
 }
 
+/// An Imagenex 852's: beyond the fourth lag little is left, but four taps are not near enough.
+TEST(ShortTaps, TakesOneMoreTapWhereTheFirstFewAreOff) {
+    const std::vector<double> wanted{1, 0.6089, 0.0859, 0.0415, 0.0243, 0.0104, 0.0133};
+    const auto taps = short_taps(wanted);
+    EXPECT_EQ(taps.size(), 5);
+    expect_correlation(taps, wanted);
+}
+
 /// Lags of an Imagenex 831L's noise.
 TEST(ShortTaps, LongCorrelationsHold) {
     const std::vector<double> wanted{1,      0.9271, 0.8184, 0.7123, 0.6102, 0.5131, 0.4222, 0.3382,
