@@ -122,7 +122,7 @@ void EchoSpreader::add(std::size_t count, float* rows) {
 
 BinStretch EchoSpreader::spread(const EchoArrays& echoes, std::size_t count, std::size_t bins,
                                 float* values) {
-    constexpr std::size_t line = 16;  // floats of the cache's, so that a vector lies in one
+    constexpr std::size_t line = floats_per_line;  // so that a vector lies in one
     const std::size_t stride = stride_of(bins + bins_at_once);
     if (turns_.size() != turns * stride + line) turns_.assign(turns * stride + line, 0.0F);
     void* first_turn = turns_.data();
