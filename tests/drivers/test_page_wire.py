@@ -45,22 +45,49 @@ class Wire(PageCase):
         self.assertEqual(asked["angle"], ("123", "grad"))
         self.assertEqual(asked["transmit"][0], "1")
 
+    def where(self, page, table):
+        """The y of a table on the screen, once what came before is drawn."""
+        page.evaluate("() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)))")
+        return table.bounding_box()["y"]
+
     def test_an_open_line_stays_open_and_in_its_place_while_others_come(self):
         page = self.start()
         self.ping(angle=7)
         row = self.rows(page, "Transducer").first
         row.wait_for()
-        page.locator("#settings tbody tr").first.wait_for()  # above the wire, which it moves down by a row
         row.click()
         table = page.locator("#wire table")
         table.wait_for()
-        before = table.bounding_box()["y"]
+        before = self.where(page, table)
         for angle in range(20):
             self.ping(angle=angle)
         page.wait_for_function("() => document.querySelectorAll('#wire details').length > 40")
         self.assertEqual(table.count(), 1)
         self.assertIn("7", table.locator("tr", has_text="angle").first.inner_text())
-        self.assertAlmostEqual(table.bounding_box()["y"], before, delta=3)
+        self.assertAlmostEqual(self.where(page, table), before, delta=3)
+
+    def test_an_open_line_stays_in_its_place_while_tables_above_it_grow(self):
+        page = self.start()
+        self.ping(angle=7)
+        page.locator("#lines tbody tr", has_text="head").wait_for()
+        row = self.rows(page, "Transducer").first
+        row.click()
+        table = page.locator("#wire table")
+        table.wait_for()
+        page.mouse.move(1, 1)  # away from the list
+        lines = page.locator("#lines")
+        for top in ("#lines", "#settings", "#wire"):  # what the window begins with
+            with self.subTest(top):
+                page.locator(top).evaluate("(one) => { one.scrollIntoView(); scrollBy(0, -20); }")
+                before = self.where(page, table)
+                lines.evaluate("(one) => { (one.tFoot ?? one.createTFoot()).insertRow().insertCell().append('more'); }")
+                self.assertAlmostEqual(self.where(page, table), before, delta=3)
+        before = self.where(page, table)
+        ping = struct.pack("<2sHHBBH", b"BR", 2, 6, 0, 0, 5)  # to the other sonar: what its firmware is
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as driver:
+            driver.sendto(ping + struct.pack("<H", sum(ping)), ("127.0.0.1", self.down))
+        page.locator("#lines tbody tr", has_text="down").wait_for()
+        self.assertAlmostEqual(self.where(page, table), before, delta=3)
 
     def test_what_is_refused_is_red_and_says_why(self):
         page = self.start()
