@@ -31,8 +31,8 @@ class Bench(ProgramTest):
         of_rule = {rule: sorted(c["case"] for c in cases if c["rule"] == rule) for rule in ("radiometric", "cerqueira2016")}
         self.assertEqual(of_rule, {"radiometric": sorted(quick + BENT), "cerqueira2016": sorted(quick)})
         for case in cases:
-            for times in (case["wall_ms"], case["cpu_ms"]):
-                self.assertTrue(0 < times["minimum"] <= times["median"] <= times["p99"], case)
+            for spread in (case["wall_ms"], case["cpu_ms"]):
+                self.assertTrue(0 < spread["minimum"] <= spread["median"] <= spread["p99"], case)
             self.assertEqual(set(case["split_ms"]), SPLIT)
             self.assertTrue(5 < case["resident_mb"], case)
             self.assertTrue(0 < case["start_up_s"], case)
@@ -44,16 +44,18 @@ class Bench(ProgramTest):
         bending = [x for part in parts for x in part["limits"] if "over that of straight rays" in x["what"]]
         self.assertEqual((len(bending), [len(part["limits"]) for part in parts]), (7, [9, 7]))  # of 2 million triangles, 2 s and 400 MB as well
         for limit in bending:
-            self.assertTrue(0.3 < limit["ours"] < 10 and limit["most"] == 1.2, limit)
+            self.assertTrue(limit["ours"] > 0 and limit["most"] == 1.2, limit)
         growth = [x for x in parts[0]["limits"] if "triangles" in x["what"] and x["unit"] == "times"]
         self.assertEqual([x["what"] for x in growth], ["fls: time with twenty times the triangles",
                                                        "fls: CPU, two million triangles in two meshes",
                                                        "fls: CPU, two million triangles in one mesh"])
-        for limit in growth:
-            self.assertTrue(0.3 < limit["ours"] < 10 and limit["most"] == 2, limit)
-        drawn = {c["case"]: c["triangles"] for c in cases if c["rule"] == "radiometric"}
+        times = {c["case"]: c for c in cases if c["rule"] == "radiometric"}
+        for limit, kind, more, less in zip(growth, ("wall_ms", "cpu_ms", "cpu_ms"), ("big2m", "big2m", "one2m"), ("big100k", "simple", "simple")):
+            of_one_ping = times["fls-" + more][kind]["median"] / times["fls-" + less][kind]["median"]
+            self.assertAlmostEqual(limit["ours"] / of_one_ping, 1, delta=0.01, msg=limit)
+            self.assertEqual(limit["most"], 2)
         # A file with everything in one mesh costs little more than the same in two.
-        self.assertLess(drawn["fls-one2m"], 1.3 * drawn["fls-big2m"])
+        self.assertLess(times["fls-one2m"]["triangles"], 1.3 * times["fls-big2m"]["triangles"])
 
     def test_two_million_triangles_start_soon_and_fit_into_memory(self):
         """Processor time, since others may use the machine; twice what it takes on a quiet one."""
