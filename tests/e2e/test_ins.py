@@ -112,10 +112,10 @@ class NavigationUnit(unittest.TestCase):
             self.assertAlmostEqual(float(heave), 0, delta=0.01)
 
     def test_gpsd_tells_the_heading_and_understands_position_and_attitude(self):
-        """gpsd 3.22 passes on the heading; what it makes of sentences at several rates is in its log only."""
+        """gpsd 3.22 and 3.25 pass on the heading; what they make of sentences at several rates is in their logs only."""
         need(GPSD, "gpsd")
         log = self.emulator.folder / "gpsd.log"
-        gpsd = Gpsd(os.path.realpath(self.emulator.folder / "ins"), log)
+        gpsd = Gpsd(os.path.realpath(self.emulator.folder / "ins"), log, 115200)
         self.addCleanup(gpsd.close)
         connection = gpsd.connect()
         self.addCleanup(connection.close)

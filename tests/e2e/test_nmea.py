@@ -53,11 +53,12 @@ def sentence(body):
 
 
 class Gpsd:
-    """gpsd on one source of sentences, asked over its own JSON protocol. Ended by its process id."""
+    """gpsd on one source of sentences, asked over its own JSON protocol. Ended by its process id. `rate`: of a line, bit/s,
+    which it would else look for, for up to half a minute."""
 
-    def __init__(self, source, log):
+    def __init__(self, source, log, rate=None):
         self.port, self.source, self.log = free_port(), source, log
-        command = [GPSD, "-N", "-n", "-b", "-D", "6", "-S", str(self.port), source]
+        command = [GPSD, "-N", "-n", "-b", "-D", "6", *(["-s", str(rate)] if rate else []), "-S", str(self.port), source]
         with open(log, "wb") as out:
             self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=out)
 
@@ -105,14 +106,14 @@ class WithGpsd(NmeaCase):
     def setUp(self):
         need(GPSD, "gpsd")
 
-    def gpsd(self, emulator, source):
-        gpsd = Gpsd(source, emulator.folder / "gpsd.log")
+    def gpsd(self, emulator, source, rate=None):
+        gpsd = Gpsd(source, emulator.folder / "gpsd.log", rate)
         self.addCleanup(gpsd.close)
         return gpsd
 
     def test_reads_the_depth_from_the_pseudo_terminal(self):
         emulator = self.start("pty:{folder}/line")
-        gpsd = self.gpsd(emulator, os.path.realpath(emulator.folder / "line"))
+        gpsd = self.gpsd(emulator, os.path.realpath(emulator.folder / "line"), 38400)
         for depth in gpsd.wait_for(gpsd.logged_depths, 8):
             self.check_depth(depth, 8.0)
         status, output = emulator.stop()

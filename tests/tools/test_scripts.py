@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """tools/install, tools/demo and tools/fuzz, run with made-up system commands: what they install, and how they refuse."""
+import ast
 import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -22,6 +24,8 @@ FAKES = {
             'while [ "${1#-}" != "$1" ]; do shift; done; exec "$@"',
     "id": 'cat "$STATE/uid"',
 }
+# Of Debian, which of them a Python module comes with.
+IN_PACKAGE = {"pynmea2": "python3-nmea2", "websockets": "python3-websockets"}
 REAL = ("bash", "sed", "tr", "env", "grep", "cat", "dirname", "readlink", "true")
 
 
@@ -79,6 +83,30 @@ class Install(Script):
         self.put("missing", "libcairo2-dev\nlibgtest-dev\numockdev\nlibroscpp-dev\n")
         self.assertEqual(self.run_script("install", "devices"), 0, self.output)
         self.assertEqual(self.installs(), ["libcairo2-dev libgtest-dev"])
+
+    def test_what_the_tests_of_sonars_import_is_among_their_packages(self):
+        """With what their own modules import. On a machine with nothing else they would fail at the first line."""
+        runs = re.search(r"set\(tests_of_runs ([^)]*)\)", (ROOT / "tests" / "e2e" / "CMakeLists.txt").read_text())[1].split()
+        modules = {path.stem: path for folder in ("e2e", "hosts", "cli") for path in (ROOT / "tests" / folder).glob("*.py")}
+        modules |= {path.stem: path for path in (ROOT / "tools").glob("*.py")}
+        # test_serial.py runs a program that comes with the packages of all tests.
+        todo = {name for name, path in modules.items() if path.parent.name in ("e2e", "hosts") and name.startswith("test_")}
+        todo -= {f"test_{run}" for run in runs} | {"test_serial"}
+        seen, foreign = set(), set()
+        while todo:
+            seen.add(name := todo.pop())
+            for node in ast.walk(ast.parse(modules[name].read_text())):
+                imported = [node.module] if isinstance(node, ast.ImportFrom) else [
+                    alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+                for module in (path.split(".")[0] for path in imported):
+                    if module in modules:
+                        todo |= {module} - seen
+                    elif module not in sys.stdlib_module_names and not (ROOT / "tools" / module).is_dir():
+                        foreign.add(module)
+        packages = re.search(r"(?s)\ndevice_packages='(.*?)'", (ROOT / "tools" / "install").read_text())[1]
+        self.assertLessEqual({"pynmea2", "websockets"}, foreign)
+        for module in foreign:
+            self.assertRegex(packages, rf"(?m)^{IN_PACKAGE.get(module)} ", module)
 
     def test_adds_what_fuzzing_needs(self):
         self.put("missing", "libcairo2-dev\nlibgtest-dev\nclang-16\nclang-19\n")
