@@ -22,7 +22,8 @@ struct GammaShares {
 
 GammaShares gamma_shares(double a, double x) {
     if (x <= 0) return {0, 1};
-    const double front = std::exp(a * std::log(x) - x - std::lgamma(a));
+    int sign = 1;  // std::lgamma would write it where all threads do
+    const double front = std::exp(a * std::log(x) - x - ::lgamma_r(a, &sign));
     if (x < a + 1) {
         double term = 1 / a, sum = term;
         for (double n = a + 1; term > sum * 1e-15; ++n) sum += term *= x / n;
