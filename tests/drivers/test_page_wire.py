@@ -23,9 +23,9 @@ class Wire(PageCase):
         cells = [line.locator("td").all_inner_texts() for line in table.locator("tr").all()]
         return {name: (value, unit) for name, value, unit in cells}
 
-    def say(self, words):
+    def say(self, words, port=None):
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as driver:
-            driver.sendto(words, ("127.0.0.1", self.udp))
+            driver.sendto(words, ("127.0.0.1", port or self.udp))
 
     def test_a_click_shows_the_fields_with_values_and_units_and_the_head_of_a_long_list(self):
         page = self.start()
@@ -76,18 +76,24 @@ class Wire(PageCase):
         table.wait_for()
         page.mouse.move(1, 1)  # away from the list
         lines = page.locator("#lines")
-        for top in ("#lines", "#settings", "#wire"):  # what the window begins with
+
+        def check_stays(what, top):
+            """`top`: what the window begins with."""
             with self.subTest(top):
                 page.locator(top).evaluate("(one) => { one.scrollIntoView(); scrollBy(0, -20); }")
-                before = self.where(page, table)
+                before = self.where(page, what)
                 lines.evaluate("(one) => { (one.tFoot ?? one.createTFoot()).insertRow().insertCell().append('more'); }")
-                self.assertAlmostEqual(self.where(page, table), before, delta=3)
+                self.assertAlmostEqual(self.where(page, what), before, delta=3)
+
+        for top in ("#lines", "#settings", "#wire"):
+            check_stays(table, top)
         before = self.where(page, table)
-        ping = struct.pack("<2sHHBBH", b"BR", 2, 6, 0, 0, 5)  # to the other sonar: what its firmware is
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as driver:
-            driver.sendto(ping + struct.pack("<H", sum(ping)), ("127.0.0.1", self.down))
+        self.say(ping360_host.frame(ping360_host.GENERAL_REQUEST, struct.pack("<H", ping360_host.DEVICE_INFORMATION)), self.down)
         page.locator("#lines tbody tr", has_text="down").wait_for()
         self.assertAlmostEqual(self.where(page, table), before, delta=3)
+        row.click()  # closes it; the mouse stays over the list
+        page.locator("#wire [open]").wait_for(state="detached")
+        check_stays(page.locator("#wire"), "#settings")
 
     def test_what_is_refused_is_red_and_says_why(self):
         page = self.start()
