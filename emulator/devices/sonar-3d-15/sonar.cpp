@@ -155,22 +155,23 @@ void Sonar::send_image(const Echogram& echogram) {
     const std::uint32_t number = images_++;
     const auto to = destination();
     if (!to) return;
+    const Plan& plan = shooting_->plan;
     std::vector<std::uint32_t> distances(width * height, 0);
     wire::Bytes strengths(width * height, 0);
     for (std::size_t beam = 0; beam < width * height; ++beam) {
-        const auto pixel = strongest(echogram, beam, shooting_->plan, settings_);
+        const auto pixel = strongest(echogram, beam, plan, settings_);
         if (!pixel) continue;
         // Own choice: with it, flat walls have as many equal neighbours as a recording.
         constexpr Stray echo{.noise = 0.05};
         const Time own{static_cast<Time::rep>(beam)};
-        const double told = settings_.sensors.read("range", pixel->distance, echo, shooting_->start + own);
+        double told = settings_.sensors.read("range", pixel->distance, echo, shooting_->start + own);
+        if (told < plan.range_min || told > plan.range_max) told = pixel->distance;  // as a bin of the window
         const double stepped = range_step * std::round(told / range_step);
         const long counts = std::lround(stepped / static_cast<double>(pixel_scale));
         distances[view_.pixel_of(beam)] = static_cast<std::uint32_t>(std::clamp(counts, 1L, 65535L));
         strengths[view_.pixel_of(beam)] = pixel->strength;
     }
     distances = smoothed(std::move(distances));
-    const Plan& plan = shooting_->plan;
     const ModeFigures& mode = settings_.mode(plan.high);
     const auto fill = [&](auto& message) {
         message.header = {time_of(shooting_->start), number};
