@@ -119,7 +119,7 @@ class Order(Case):
         for message, event in held.items():
             if message < len(said) and said[message] in expected:
                 self.assertEqual(event["by"], 1)
-                self.assertEqual(event["ping"], number_of(said[message]))
+                self.assertEqual(event.get("ping", 0), number_of(said[message]))
                 self.assertEqual((event["offset"], event["length"]),
                                  (seen[number_of(said[message])], len(said[message])))
 

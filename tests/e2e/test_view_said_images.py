@@ -1,6 +1,7 @@
 """What a sonar of rows of beams says, read back from the wire: the range in each direction, and how strong that echo is."""
 
 import socket
+import statistics
 import unittest
 
 from ports import free_port
@@ -20,8 +21,10 @@ class Images(SaidCase):
             self.assertEqual(ranges[0][name], strengths[0][name])
         head = strengths[0]
         self.assertEqual((head["bins"], head["unit"]), (1, "counts"))
-        middle = head["rows"] // 2 * head["beams"] + head["beams"] // 2
-        self.assertAlmostEqual(ranges[2][middle], DEPTH, delta=0.15)
+        # The middle one alone may have no return in this image: a third of them have none.
+        rows, columns = (range(head[name] // 2 - 3, head[name] // 2 + 3) for name in ("rows", "beams"))
+        middle = [ranges[2][row * head["beams"] + column] for row in rows for column in columns]
+        self.assertAlmostEqual(statistics.median(filter(None, middle)), DEPTH, delta=0.05)
         told = [bool(one) for one in ranges[2]]
         strong = [bool(one) for one in strengths[1]]
         alike = sum(a == b for a, b in zip(told, strong)) / len(told)
