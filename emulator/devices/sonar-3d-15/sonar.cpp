@@ -165,7 +165,8 @@ void Sonar::send_image(const Echogram& echogram) {
         constexpr Stray echo{.noise = 0.05};
         const Time own{static_cast<Time::rep>(beam)};
         double told = settings_.sensors.read("range", pixel->distance, echo, shooting_->start + own);
-        if (told < plan.range_min || told > plan.range_max) told = pixel->distance;  // as a bin of the window
+        if (told < plan.range_min || told > plan.range_max)  // no bin is there
+            told = pixel->distance;
         const double stepped = range_step * std::round(told / range_step);
         const long counts = std::lround(stepped / static_cast<double>(pixel_scale));
         distances[view_.pixel_of(beam)] = static_cast<std::uint32_t>(std::clamp(counts, 1L, 65535L));
